@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/tolerance.h"
+#include "core/boundary/continuity.h"
+#include "core/energy/energy_kind.h"
+#include "core/energy/guidance.h"
+#include "core/layout/layout_kind.h"
+
+namespace fairing {
+
+/// Everything a caller may choose about a fill.
+struct FillOptions {
+  LayoutKind layout = LayoutKind::Auto;
+  EnergyKind energy = EnergyKind::ThinPlate;
+  energy::Guidance guidance;     ///< lambda, gamma and what they refer to; none by default
+  Tolerance tolerance;
+  int degree = 0;                ///< 0 = chosen from the edges; else 3 to 9, never below the edges' own
+  int maxRefinements = 6;        ///< solves after the first one
+  int maxPoles = 10000;          ///< largest number of control points of all patches
+};
+
+/// The first thing wrong with the options, if any: ToleranceNotPositive, AngleNotPositive, WeightNegative, DegreeOutOfRange...
+[[nodiscard]] std::optional<Error> validate(const FillOptions& options);
+
+}  // namespace fairing
