@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# cmake -D SOURCE=<project> -D ADDON=<folder> -P AssembleAddon.cmake
+# Copies what changed and removes what the project no longer has; the native module is left alone.
+foreach(file InitGui.py Init.py package.xml LICENSE README.md)
+  if(EXISTS ${SOURCE}/${file})
+    file(COPY ${SOURCE}/${file} DESTINATION ${ADDON})
+  endif()
+endforeach()
+
+function(mirror from to)
+  file(COPY ${SOURCE}/${from}/ DESTINATION ${ADDON}/${to} PATTERN __pycache__ EXCLUDE PATTERN *.pyc EXCLUDE)
+  file(GLOB_RECURSE copies RELATIVE ${ADDON}/${to} ${ADDON}/${to}/*)
+  list(FILTER copies EXCLUDE REGEX "\\.so$|__pycache__")
+  foreach(copy ${copies})
+    if(NOT EXISTS ${SOURCE}/${from}/${copy})
+      file(REMOVE ${ADDON}/${to}/${copy})
+    endif()
+  endforeach()
+endfunction()
+
+foreach(pair Mod/fairing:fairing resources:resources)
+  string(REPLACE ":" ";" pair ${pair})
+  list(GET pair 0 from)
+  list(GET pair 1 to)
+  if(EXISTS ${SOURCE}/${from})
+    mirror(${from} ${to})
+  endif()
+endforeach()

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# FAIRING_SANITIZE is a list for -fsanitize=, such as "address,undefined". Everything is built with it or nothing is.
+set(FAIRING_SANITIZE "" CACHE STRING "Sanitizers to build with, separated by commas")
+
+if(FAIRING_SANITIZE)
+  add_compile_options(-fsanitize=${FAIRING_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${FAIRING_SANITIZE})
+endif()
