@@ -5,6 +5,9 @@ add_custom_target(addon ALL
           -P ${PROJECT_SOURCE_DIR}/cmake/AssembleAddon.cmake
   COMMENT "Assembling ${FAIRING_ADDON_DIR}"
 )
+if(TARGET _fairing)
+  add_dependencies(addon _fairing)
+endif()
 
 if(CMAKE_INSTALL_PREFIX_INITIALIZED_TO_DEFAULT)
   set_property(CACHE CMAKE_INSTALL_PREFIX PROPERTY VALUE $ENV{HOME}/.local/share/FreeCAD/Mod/Fairing)
