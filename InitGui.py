@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# FreeCAD runs this file inside a function: names of the top level are not visible within methods, which import their own.
+import FreeCADGui
+
+
+class FairingWorkbench(FreeCADGui.Workbench):
+    from fairing import workbench as _workbench
+
+    MenuText = _workbench.TITLE
+    ToolTip = _workbench.tooltip()
+    Icon = _workbench.icon("Fairing.svg")
+
+    def Initialize(self):
+        from fairing import workbench
+
+        self.commands = workbench.register_commands()
+        self.appendToolbar(workbench.TITLE, self.commands)
+        self.appendMenu(workbench.TITLE, self.commands)
+
+    def ContextMenu(self, recipient):
+        if recipient == "View":
+            self.appendContextMenu("", self.commands[:1])
+
+    def GetClassName(self):
+        return "Gui::PythonWorkbench"
+
+
+def _start():
+    from fairing import workbench
+
+    workbench.start(FairingWorkbench())
+
+
+_start()

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command Fill Hole."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from .. import native, selection
+from ..translation import NOOP, translate
+
+
+class FillHoleCommand:
+    NAME = "Fairing_FillHole"
+
+    def GetResources(self) -> dict:
+        return {
+            "Pixmap": self.NAME,
+            "MenuText": NOOP(self.NAME, "Fill Hole"),
+            "ToolTip": NOOP(self.NAME, "Fill a hole with a surface that meets its neighbours smoothly: "
+                                       "pick one edge of the hole, or the face to be replaced"),
+            "Accel": "F, H",
+        }
+
+    def IsActive(self) -> bool:
+        """FreeCAD asks several times a second."""
+        if not App.ActiveDocument or Gui.Control.activeDialog():
+            return False
+        if selection.is_empty():
+            return selection.has_shapes(App.ActiveDocument)
+        return selection.current_picks() is not None
+
+    def Activated(self) -> None:
+        from ..panels.fill_panel import FillPanel
+
+        problem = native.problem()
+        if problem:
+            show_problem(problem)
+            return
+        FillPanel.open(picks=selection.current_picks())
+
+
+def show_problem(sentence: str) -> None:
+    from PySide import QtGui
+
+    App.Console.PrintError(sentence + "\n")
+    QtGui.QMessageBox.critical(Gui.getMainWindow(), translate("Fairing", "Fairing cannot work"), sentence)

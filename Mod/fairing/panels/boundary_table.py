@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of the edges round the hole: continuity to choose, deviation to read."""
+
+from __future__ import annotations
+
+from PySide import QtCore, QtGui
+
+from . import status
+from ..fill_request import CONTINUITIES, FillRequest
+from ..translation import translate
+from .quantities import angle_text, length_text
+
+EDGE, FACE, CONTINUITY, GAP, ANGLE = range(5)
+LARGEST_HEIGHT = 6  # rows shown without scrolling
+
+
+class BoundaryTable(QtCore.QObject):
+    """Wraps the form's QTableWidget. Emits chosen(edge, continuity) when the user changes a row."""
+
+    chosen = QtCore.Signal(int, str)
+
+    def __init__(self, widget: QtGui.QTableWidget):
+        super().__init__(widget)
+        self._widget = widget
+        self._rows: dict[int, int] = {}  # edge -> row
+        self._combos: dict[int, QtGui.QComboBox] = {}
+        header = widget.horizontalHeader()
+        for column in range(widget.columnCount()):
+            header.setSectionResizeMode(column, QtGui.QHeaderView.ResizeToContents)
+        header.setSectionResizeMode(ANGLE, QtGui.QHeaderView.Stretch)
+        widget.verticalHeader().setDefaultSectionSize(26)
+        widget.setIconSize(QtCore.QSize(14, 14))
+
+    def show_loop(self, loop: list[dict], request: FillRequest) -> None:
+        """One row a side, not measured yet. Rows that stay keep their numbers until new ones come."""
+        edges = [side["edge"] for side in loop]
+        if edges != list(self._rows):
+            self._rebuild(loop)
+        for side in loop:
+            combo = self._combos[side["edge"]]
+            combo.blockSignals(True)
+            has_face = side["face"] > 0
+            combo.setCurrentText(request.continuity_of(side["edge"]) if has_face else "G0")
+            combo.setEnabled(has_face)
+            combo.blockSignals(False)
+        self._widget.setVisible(bool(loop))
+        self._fit_height()
+
+    def show_report(self, report) -> None:
+        """Fills in what was measured; None: nothing is."""
+        sides = {side["edge"]: side for side in report["sides"]} if report else {}
+        for edge, row in self._rows.items():
+            side = sides.get(edge)
+            sign = status.of_side(side, report)
+            self._widget.item(row, EDGE).setIcon(QtGui.QIcon(sign.pixmap(14)))
+            self._set(row, GAP, length_text(side["gap"]["max"]) if side else "")
+            self._set(row, ANGLE, _angle_of(side) if side else "")
+            for column in (EDGE, FACE, GAP, ANGLE):
+                self._widget.item(row, column).setToolTip(_explanation(side, report) if side else "")
+
+    def select(self, edge: int) -> None:
+        if edge in self._rows:
+            self._widget.selectRow(self._rows[edge])
+
+    def _rebuild(self, loop: list[dict]) -> None:
+        self._widget.setRowCount(len(loop))
+        self._rows = {side["edge"]: row for row, side in enumerate(loop)}
+        self._combos = {}
+        for row, side in enumerate(loop):
+            self._set(row, EDGE, f"Edge{side['edge']}")
+            self._set(row, FACE, f"Face{side['face']}" if side["face"] else "\u2013")
+            self._set(row, GAP, "")
+            self._set(row, ANGLE, "")
+            self._widget.setCellWidget(row, CONTINUITY, self._make_combo(side["edge"]))
+
+    def _make_combo(self, edge: int) -> QtGui.QComboBox:
+        combo = QtGui.QComboBox()
+        combo.setFrame(False)
+        combo.addItems(CONTINUITIES)
+        combo.setToolTip(translate("Fairing", "G1: tangential to the face. G0: only touches the edge."))
+        combo.currentTextChanged.connect(lambda word: self.chosen.emit(edge, word))
+        self._combos[edge] = combo
+        return combo
+
+    def _set(self, row: int, column: int, text: str) -> None:
+        item = self._widget.item(row, column)
+        if item is None:
+            item = QtGui.QTableWidgetItem()
+            if column in (GAP, ANGLE):
+                item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
+            self._widget.setItem(row, column, item)
+        item.setText(text)
+
+    def _fit_height(self) -> None:
+        rows = min(self._widget.rowCount(), LARGEST_HEIGHT)
+        height = self._widget.horizontalHeader().sizeHint().height() + 2 * self._widget.frameWidth()
+        self._widget.setFixedHeight(height + rows * self._widget.verticalHeader().defaultSectionSize())
+
+
+def _angle_of(side: dict) -> str:
+    if side["face"] == 0:
+        return "\u2013"
+    return angle_text(max(side["angle"]["max"], side["cornerAngle"]["max"]))
+
+
+def _explanation(side: dict, report: dict) -> str:
+    """Everything measured along one side, with the limits."""
+    lines = [translate("Fairing", "Gap {0}, allowed {1}").format(length_text(side["gap"]["max"]),
+                                                                length_text(report["gapLimit"]))]
+    if side["face"]:
+        lines += [
+            translate("Fairing", "Angle {0}, allowed {1}").format(angle_text(side["angle"]["max"]),
+                                                                  angle_text(report["angleLimit"])),
+            translate("Fairing", "Angle next to the corners {0}, allowed {1}").format(
+                angle_text(side["cornerAngle"]["max"]), angle_text(report["cornerAngleLimit"])),
+            translate("Fairing", "Curvature differs by {0:.0%}").format(side["curvature"]["max"]),
+        ]
+    if side["backwards"]:
+        lines.append(translate("Fairing", "The surface folds back at this edge."))
+    return "\n".join(lines)

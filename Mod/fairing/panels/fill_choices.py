@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The lower half of the fill panel: energy, guide, result and limits."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+from PySide import QtCore
+
+from .. import subelements
+from ..fill_request import ENERGIES, RESULTS
+from ..translation import translate
+from .fill_session import FillSession
+from .weight_slider import WeightSlider
+
+TYPING_PAUSE = 250  # ms without a key before a typed number counts
+
+
+class FillChoices(QtCore.QObject):
+    """Shows the choices of a session and writes the user's into it. Emits changed()."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, ui, session: FillSession):
+        super().__init__(ui)
+        self._ui, self._session = ui, session
+        self._lambda = WeightSlider(ui.lambdaSlider, ui.lambdaSpin, session.request.lambda_)
+        self._gamma = WeightSlider(ui.gammaSlider, ui.gammaSpin, session.request.gamma)
+        self._pause = QtCore.QTimer(self)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(TYPING_PAUSE)
+        self._pause.timeout.connect(self._read)
+        self._show()
+        self._connect()
+
+    @property
+    def is_picking_guide(self) -> bool:
+        return self._ui.guideButton.isChecked()
+
+    def guide_picked(self, obj: App.DocumentObject, name: str) -> None:
+        """A face picked in the 3D view joins the guide."""
+        if not subelements.is_face(name):
+            return
+        kept = self._session.reference
+        names = list(kept[1]) if kept and kept[0] is obj else []
+        self._set_guide((obj, names + [name] if name not in names else names))
+
+    def _show(self) -> None:
+        ui, request = self._ui, self._session.request
+        ui.energyCombo.setCurrentIndex(ENERGIES.index(request.energy))
+        ui.resultCombo.setCurrentIndex(RESULTS.index(request.result))
+        ui.angleSpin.setProperty("value", App.Units.Quantity(request.angle_tolerance, App.Units.Angle))
+        ui.gapAutoCheck.setChecked(request.gap_tolerance is None)
+        ui.gapSpin.setProperty("value", App.Units.Quantity(request.gap_tolerance or 0.0, App.Units.Length))
+        ui.degreeSpin.setValue(request.degree or ui.degreeSpin.minimum())
+        ui.polesSpin.setValue(request.max_poles)
+        self._show_hints()
+
+    def _connect(self) -> None:
+        ui = self._ui
+        ui.energyCombo.currentIndexChanged.connect(self._read)
+        ui.resultCombo.currentIndexChanged.connect(self._read)
+        ui.gapAutoCheck.toggled.connect(self._read)
+        for widget in (ui.degreeSpin, ui.polesSpin, ui.gapSpin, ui.angleSpin):
+            widget.valueChanged.connect(lambda *_: self._pause.start())
+        self._lambda.changed.connect(self._read)
+        self._gamma.changed.connect(self._read)
+        ui.guideButton.toggled.connect(self._show_hints)
+        ui.guideClearButton.clicked.connect(lambda: self._set_guide(None))
+
+    def _read(self, *_) -> None:
+        ui = self._ui
+        degree = ui.degreeSpin.value()
+        self._session.change(
+            energy=ENERGIES[ui.energyCombo.currentIndex()], result=RESULTS[ui.resultCombo.currentIndex()],
+            lambda_=self._lambda.value(), gamma=self._gamma.value(),
+            gap_tolerance=None if ui.gapAutoCheck.isChecked() else ui.gapSpin.property("rawValue"),
+            angle_tolerance=ui.angleSpin.property("rawValue"),
+            degree=0 if degree == ui.degreeSpin.minimum() else degree, max_poles=ui.polesSpin.value())
+        self._show_hints()
+        self.changed.emit()
+
+    def _set_guide(self, reference) -> None:
+        self._session.set_reference(reference)
+        self._ui.guideButton.setChecked(False)
+        self._show_hints()
+        self.changed.emit()
+
+    def _show_hints(self, *_) -> None:
+        """What depends on other choices: sentences, labels, what is enabled."""
+        ui, reference = self._ui, self._session.reference
+        ui.energyHint.setText((
+            translate("Fairing", "Bends as little as possible: the usual choice."),
+            translate("Fairing", "Stretches as little as possible, like a soap film."),
+        )[ui.energyCombo.currentIndex()])
+        ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
+        ui.guideButton.setText(
+            translate("Fairing", "Pick faces in the 3D view") if self.is_picking_guide
+            else _guide_text(reference) if reference else translate("Fairing", "Pick guiding faces"))
+        ui.guideClearButton.setEnabled(reference is not None)
+        self._lambda.set_enabled(reference is not None)
+        self._gamma.set_enabled(reference is not None)
+
+
+def _guide_text(reference) -> str:
+    obj, names = reference
+    return f"{obj.Label}: {', '.join(names)}" if names else obj.Label

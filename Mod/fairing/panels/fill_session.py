@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the fill panel is working on, without its widgets: the picks, the choices, the hole they make, the result."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Optional
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from .. import exchange, subelements
+from ..features.fill_feature import NOTHING_PICKED, reference_data, reference_link
+from ..features.fill_properties import read_request
+from ..features.placement import container_for_results, container_of, placement_of, shape_in
+from ..fill_request import FillRequest
+
+MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
+
+
+class FillSession:
+    """One fill being made or edited. `loop` holds the sides of the hole, `problem` why there is none."""
+
+    def __init__(self, document: App.Document, request: FillRequest, base=None, obj=None):
+        self.document, self.request, self.obj = document, request, obj
+        self.base = self.reference = None
+        self.loop: list[dict] = []
+        self.problem = NOTHING_PICKED
+        self._shape = self._brep = None
+        if base is not None:
+            self._use_base(base)
+
+    @classmethod
+    def of_object(cls, obj: App.DocumentObject) -> "FillSession":
+        """To edit a fill."""
+        session = cls(obj.Document, read_request(obj), obj.Edges[0] if obj.Edges else None, obj)
+        session.reference = reference_link(obj.Reference)
+        session.find_loop()
+        return session
+
+    @property
+    def container(self):
+        """Where the result lives, and in whose coordinates everything here is."""
+        if self.obj:
+            return container_of(self.obj)
+        return container_for_results(self.base) if self.base else None
+
+    @property
+    def placement(self) -> App.Placement:
+        return placement_of(self.container)
+
+    def pick(self, base: App.DocumentObject, names) -> None:
+        """Adds picks. Those on another object, on another hole, or a face, start a new hole."""
+        names = list(names)
+        if base is not self.base:
+            self.clear()
+            self._use_base(base)
+        if self.request.edges and all(map(subelements.is_edge, names)):
+            self._set_picks(self.request.picks() + [name for name in names if name not in self.request.picks()])
+            if not self.problem:
+                return
+        self._set_picks(names)
+
+    def clear(self) -> None:
+        self.base, self.loop, self.problem = None, [], NOTHING_PICKED
+        self.request = dataclasses.replace(self.request, edges=(), faces=(), edge_continuity=())
+
+    def change(self, **changes: Any) -> None:
+        """Other choices, by the names of FillRequest."""
+        self.request = dataclasses.replace(self.request, **changes)
+
+    def set_continuity(self, word: str, edge: Optional[int] = None) -> None:
+        """Of one edge, or of all."""
+        if edge is None:
+            self.change(continuity=word, edge_continuity=())
+        else:
+            wishes = dict(self.request.edge_continuity)
+            wishes[edge] = word
+            self.change(edge_continuity=tuple(sorted(
+                (number, wish) for number, wish in wishes.items() if wish != self.request.continuity)))
+
+    def set_reference(self, reference) -> None:
+        """(object, [names]) or None."""
+        self.reference = reference_link(reference)
+        self.change(reference=reference_data(self.reference, self.container))
+
+    def edge_in_loop(self, name: str) -> int:
+        """The number of an edge of the hole, 0 for any other name."""
+        numbers = subelements.edge_numbers([name])
+        return numbers[0] if numbers and numbers[0] in [side["edge"] for side in self.loop] else 0
+
+    def find_loop(self) -> None:
+        """Finds the sides of the hole the picks belong to."""
+        self.loop, self.problem = [], ""
+        if not (self.base and (self.request.edges or self.request.faces)):
+            self.problem = NOTHING_PICKED
+            return
+        asked = self.request.arguments()
+        try:
+            self.loop = self._shape.boundary(
+                **{key: asked[key] for key in ("edges", "faces", "continuity", "edge_continuity")})
+        except ValueError as error:
+            self.problem = str(error)
+
+    def job(self):
+        """What a background thread computes: the native Fill and its mesh. Touches plain data only."""
+        request, brep = self.request, self._brep
+
+        def solve(progress):
+            fill = request.solve(brep, progress)
+            return fill, fill.mesh(MESH_POINTS)
+
+        return solve
+
+    def commit(self) -> None:
+        """Writes the fill into the document as one step to undo, by commands the macro recorder understands."""
+        title = "Fill hole" if self.obj is None else f"Edit {self.obj.Label}"
+        self.document.openTransaction(title)
+        try:
+            Gui.addModule("fairing")
+            Gui.doCommand(self._command())
+            if self.obj is None:
+                self.obj = self.document.ActiveObject
+            self.document.commitTransaction()
+        except Exception:
+            self.document.abortTransaction()
+            raise
+
+    def _use_base(self, base: App.DocumentObject) -> None:
+        self.base = base
+        self._brep = exchange.data_of(shape_in(self.container, base))
+        self._shape = exchange.native_shape_of(self._brep)
+        if self.reference:
+            self.set_reference(self.reference)
+
+    def _set_picks(self, names) -> None:
+        fresh = FillRequest.of(names)
+        self.change(edges=fresh.edges, faces=fresh.faces, edge_continuity=())
+        self.find_loop()
+
+    def _command(self) -> str:
+        """The Python line that does what OK does."""
+        request, plain = self.request, FillRequest()
+        asked = {"edge_continuity": {f"Edge{edge}": word for edge, word in request.edge_continuity}}
+        for field in dataclasses.fields(FillRequest):
+            if field.name not in ("edges", "faces", "edge_continuity", "reference"):
+                asked[field.name] = getattr(request, field.name)
+        base = _object_command(self.base)
+        if self.obj is None:
+            asked = {name: value for name, value in asked.items() if value and value != getattr(plain, name)}
+            head = f"fairing.make_fill({base}, {request.picks()!r}"
+        else:
+            head = f"fairing.change_fill({_object_command(self.obj)}, {request.picks()!r}, base={base}"
+        tail = "".join(f", {name}={value!r}" for name, value in asked.items())
+        if self.reference:
+            tail += f", reference=({_object_command(self.reference[0])}, {list(self.reference[1])!r})"
+        elif self.obj is not None:
+            tail += ", reference=None"
+        return f"{head}{tail})"
+
+
+def _object_command(obj: App.DocumentObject) -> str:
+    if obj.Document is App.ActiveDocument or obj.Document.Name == App.ActiveDocument.Name:
+        return f"App.ActiveDocument.getObject({obj.Name!r})"
+    return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"

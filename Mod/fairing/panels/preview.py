@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the panel draws into the 3D view: the new surface and the edges round the hole. Never selected, never saved."""
+
+from __future__ import annotations
+
+import numpy as np
+from pivy import coin
+
+TRANSPARENCY = 0.15
+EDGE_WIDTH = 5.0  # pixels
+
+
+class Preview:
+    """Nodes of their own under the view's scene graph; call from the window's thread only."""
+
+    def __init__(self, view, color):
+        self._view = view
+        self._root = coin.SoSeparator()
+        self._transform = coin.SoTransform()
+        self._root.addChild(_unpickable())
+        self._root.addChild(self._transform)
+        self._surface = _Surface(color)
+        self._edges = _Edges()
+        self._root.addChild(self._surface.root)
+        self._root.addChild(self._edges.root)
+        view.getSceneGraph().addChild(self._root)
+
+    def place(self, placement) -> None:
+        """From the coordinates of what is shown to the document's."""
+        self._transform.translation = tuple(placement.Base)
+        self._transform.rotation = coin.SbRotation(*placement.Rotation.Q)
+
+    def show_surface(self, mesh) -> None:
+        """Points (n x 3), normals (n x 3) and triangles (m x 3) as numpy arrays."""
+        self._surface.show(*mesh)
+
+    def hide_surface(self) -> None:
+        self._surface.clear()
+
+    def show_edges(self, lines, colors) -> None:
+        """Polylines (each n x 3) and their colours."""
+        self._edges.show(lines, colors)
+
+    def remove(self) -> None:
+        if self._root is None:
+            return
+        try:
+            self._view.getSceneGraph().removeChild(self._root)
+        except RuntimeError:  # the view has been closed
+            pass
+        self._root = None
+
+
+class _Surface:
+    def __init__(self, color):
+        self.root = coin.SoSeparator()
+        hints = coin.SoShapeHints()
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+        hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE  # lit from both sides
+        material = coin.SoMaterial()
+        material.diffuseColor = color
+        material.specularColor = (0.35, 0.35, 0.35)
+        material.shininess = 0.6
+        material.transparency = TRANSPARENCY
+        binding = coin.SoNormalBinding()
+        binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+        self._points, self._normals, self._faces = coin.SoCoordinate3(), coin.SoNormal(), coin.SoIndexedFaceSet()
+        self._triangles = None
+        self.clear()
+        for node in (hints, material, self._points, self._normals, binding, self._faces):
+            self.root.addChild(node)
+
+    def show(self, points, normals, triangles) -> None:
+        if self._triangles is None or not np.array_equal(triangles, self._triangles):
+            self.clear()  # never an index beyond the points
+        _set_vectors(self._points.point, points)
+        _set_vectors(self._normals.vector, normals)
+        if self._triangles is None:
+            ends = np.full((len(triangles), 1), -1, np.int32)
+            indices = np.hstack([triangles, ends]).ravel().tolist()
+            self._faces.coordIndex.setValues(0, len(indices), indices)
+            self._triangles = triangles
+
+    def clear(self) -> None:
+        self._faces.coordIndex.setNum(0)
+        self._triangles = None
+
+
+class _Edges:
+    def __init__(self):
+        self.root = coin.SoSeparator()
+
+    def show(self, lines, colors) -> None:
+        self.root.removeAllChildren()
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR
+        style = coin.SoDrawStyle()
+        style.lineWidth = EDGE_WIDTH
+        self.root.addChild(light)
+        self.root.addChild(style)
+        for line, color in zip(lines, colors):
+            material = coin.SoBaseColor()
+            material.rgb = color
+            points, strip = coin.SoCoordinate3(), coin.SoLineSet()
+            _set_vectors(points.point, np.asarray(line, np.float32))
+            strip.numVertices.setValue(len(line))
+            for node in (material, points, strip):
+                self.root.addChild(node)
+
+
+def _set_vectors(field, vectors) -> None:
+    field.setNum(len(vectors))
+    if len(vectors):
+        field.setValues(0, len(vectors), np.ascontiguousarray(vectors, np.float32))
+
+
+def _unpickable():
+    style = coin.SoPickStyle()
+    style.style = coin.SoPickStyle.UNPICKABLE
+    return style

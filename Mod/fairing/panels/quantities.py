@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Measured numbers as text: short, with a unit."""
+
+from __future__ import annotations
+
+import math
+
+import FreeCAD as App
+
+
+def length_text(millimetres: float) -> str:
+    """In the user's unit system, which picks nm, um or mm by itself."""
+    if millimetres < 1e-9:  # below a picometre every number is rounding
+        return "0 nm"
+    return App.Units.Quantity(millimetres, App.Units.Length).UserString
+
+
+def angle_text(degrees: float) -> str:
+    """Two figures that count: 0.0041, 0.31, 12."""
+    if degrees < 1e-4:
+        return "0\u00b0"
+    figures = max(0, 1 - math.floor(math.log10(degrees)))
+    return f"{degrees:.{figures}f}\u00b0"

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user has selected, and what may be selected."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Optional
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from . import subelements
+from .translation import translate
+
+
+@dataclasses.dataclass(frozen=True)
+class Picks:
+    """Edges of one object, or one of its faces."""
+
+    base: App.DocumentObject
+    names: tuple[str, ...]
+
+
+def is_empty() -> bool:
+    return not Gui.Selection.hasSelection()
+
+
+def current_picks() -> Optional[Picks]:
+    """The picks a fill can start from, or None where the selection makes no sense for it."""
+    selected = Gui.Selection.getSelectionEx()
+    if len(selected) != 1 or not has_shape(selected[0].Object):
+        return None
+    names = tuple(subelements.local_name(name) for name in selected[0].SubElementNames)
+    all_edges = names and all(map(subelements.is_edge, names))
+    one_face = len(names) == 1 and subelements.is_face(names[0])
+    return Picks(selected[0].Object, names) if all_edges or one_face else None
+
+
+def has_shape(obj: App.DocumentObject) -> bool:
+    return obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")
+
+
+def has_shapes(document: App.Document) -> bool:
+    return any(has_shape(obj) for obj in document.Objects)
+
+
+class EdgeGate:
+    """Selection gate: edges and faces of shapes; the status bar says what is missing otherwise."""
+
+    def __init__(self, excluded: Optional[App.DocumentObject] = None):
+        self._excluded = excluded
+
+    def allow(self, document: App.Document, obj: App.DocumentObject, sub: str) -> bool:
+        reason = self._reason(obj, subelements.local_name(sub or ""))
+        if reason:
+            _show_soon(reason)
+        return not reason
+
+    def _reason(self, obj: App.DocumentObject, name: str) -> str:
+        if self._excluded is not None and obj is self._excluded:
+            return translate("Fairing", "This is the surface being made: pick an edge of the hole beside it.")
+        if not subelements.is_edge(name) and not subelements.is_face(name):
+            return translate("Fairing", "Pick an edge of the hole, or the face to be replaced.")
+        return ""
+
+
+def _show_soon(text: str) -> None:
+    """In the status bar, after FreeCAD has written its own general message there."""
+    from PySide import QtCore
+
+    QtCore.QTimer.singleShot(0, lambda: Gui.getMainWindow().statusBar().showMessage(text, 5000))

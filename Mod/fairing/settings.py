@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The user's defaults, as the preference page stores them."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from .fill_request import CONTINUITIES, ENERGIES, RESULTS, FillRequest
+
+PATH = "User parameter:BaseApp/Preferences/Mod/Fairing"
+_PATCH_COLOR = 0xF5C451FF  # amber, red-green-blue-alpha
+
+
+def _group():
+    return App.ParamGet(PATH)
+
+
+def new_request() -> FillRequest:
+    """What a new fill asks for before anything is picked."""
+    group, plain = _group(), FillRequest()
+    return FillRequest(
+        continuity=_choice(CONTINUITIES, group.GetInt("Continuity", 1)),
+        energy=_choice(ENERGIES, group.GetInt("Energy", 0)),
+        angle_tolerance=group.GetFloat("AngleTolerance", plain.angle_tolerance),
+        max_poles=group.GetInt("MaxPoles", plain.max_poles),
+        result=_choice(RESULTS, group.GetInt("Result", 0)))
+
+
+def shows_preview() -> bool:
+    return _group().GetBool("Preview", True)
+
+
+def shows_labels() -> bool:
+    return _group().GetBool("Labels", True)
+
+
+def patch_color() -> tuple[float, float, float]:
+    """Colour of new faces, red, green and blue from 0 to 1."""
+    packed = _group().GetUnsigned("PatchColor", _PATCH_COLOR)
+    return tuple((packed >> shift & 0xFF) / 255.0 for shift in (24, 16, 8))
+
+
+def _choice(words, index: int) -> str:
+    return words[index] if 0 <= index < len(words) else words[0]

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Names of edges and faces as FreeCAD writes them ("Edge7") and as numbers (7)."""
+
+from __future__ import annotations
+
+from typing import Iterable, Union
+
+Pick = Union[str, int]
+
+
+def edge_numbers(picks: Iterable[Pick]) -> tuple[int, ...]:
+    """Numbers of the edges among picks; a bare number counts as an edge."""
+    return tuple(_number(pick, "Edge") for pick in picks if isinstance(pick, int) or is_edge(pick))
+
+
+def face_numbers(picks: Iterable[Pick]) -> tuple[int, ...]:
+    """Numbers of the faces among picks."""
+    return tuple(_number(pick, "Face") for pick in picks if not isinstance(pick, int) and is_face(pick))
+
+
+def is_edge(name: str) -> bool:
+    return _is(name, "Edge")
+
+
+def is_face(name: str) -> bool:
+    return _is(name, "Face")
+
+
+def local_name(path: str) -> str:
+    """The name itself out of a path through containers: "Body.Pad.Edge7" -> "Edge7"."""
+    return path.rsplit(".", 1)[-1]
+
+
+def check_names(picks: Iterable[Pick]) -> None:
+    """Raises ValueError with the first pick that is neither an edge nor a face."""
+    for pick in picks:
+        if not isinstance(pick, int) and not is_edge(pick) and not is_face(pick):
+            raise ValueError(f"{pick!r} is neither an edge (Edge7) nor a face (Face3)")
+
+
+def _is(name: str, kind: str) -> bool:
+    return name.startswith(kind) and name[len(kind):].isdigit()
+
+
+def _number(pick: Pick, kind: str) -> int:
+    return pick if isinstance(pick, int) else int(pick[len(kind):])
