@@ -6,49 +6,53 @@
 
 namespace fairing {
 
-/// What went wrong, fine-grained enough that a sentence can be made of it (src/text/error_text.h makes it).
+/// What went wrong, fine-grained enough that a sentence can be made of it (src/text/error_text.h
+/// makes it).
 enum class ErrorCode {
   // options
-  ToleranceNotPositive,    ///< value = the tolerance given
-  AngleNotPositive,        ///< value = the angle given, degrees
-  WeightNegative,          ///< detail = "lambda" or "gamma", value = the weight given
-  DegreeOutOfRange,        ///< value = the degree given
-  ControlPointLimit,       ///< value = the limit given
-  UnknownChoice,           ///< detail = the option and the word given
+  ToleranceNotPositive,  ///< value = the tolerance given
+  AngleNotPositive,      ///< value = the angle given, degrees
+  WeightNegative,        ///< detail = "lambda" or "gamma", value = the weight given
+  DegreeOutOfRange,      ///< value = the degree given
+  ControlPointLimit,     ///< value = the limit given
+  UnknownChoice,         ///< detail = the option and the word given
   // picks
-  NothingPicked,           ///< no edge given and no loop of free edges found
-  EdgeOutOfRange,          ///< edge = number given, value = number of edges in the shape
-  FaceOutOfRange,          ///< face = number given, value = number of faces in the shape
-  EdgePickedTwice,         ///< edge
-  SeveralLoops,            ///< edge = an edge of the second loop, value = number of loops
-  LoopNotClosed,           ///< edge = edge at the open end, where = that end, value = gap in mm
-  LoopSelfTouching,        ///< edge, where
-  LoopBranches,            ///< edge, where: more than two candidate edges meet, pick more edges
-  WrongSideCount,          ///< value = number of sides found
-  EdgeWithManyFaces,       ///< edge, value = number of faces
-  EdgeNotFree,             ///< edge: has two faces; pick the face that is to be replaced
-  EdgeDegenerate,          ///< edge, where, value = length in mm
-  EdgeInfinite,            ///< edge
-  EdgeWithoutFace,         ///< edge: asked for G1 or G2 but has no support face
-  SupportNormalSingular,   ///< edge, where
-  CurveNotFitted,          ///< edge, where, value = remaining deviation in mm
-  LoopTooLarge,            ///< value = number of edges
+  NothingPicked,          ///< no edge given and no loop of free edges found
+  EdgeOutOfRange,         ///< edge = number given, value = number of edges in the shape
+  FaceOutOfRange,         ///< face = number given, value = number of faces in the shape
+  EdgePickedTwice,        ///< edge
+  SeveralLoops,           ///< edge = an edge of the second loop, value = number of loops
+  LoopNotClosed,          ///< edge = edge at the open end, where = that end, value = gap in mm
+  LoopSelfTouching,       ///< edge, where
+  LoopBranches,           ///< edge, where: more than two candidate edges meet, pick more edges
+  WrongSideCount,         ///< value = number of sides found
+  EdgeWithManyFaces,      ///< edge, value = number of faces
+  EdgeNotFree,            ///< edge: has two faces; pick the face that is to be replaced
+  EdgeDegenerate,         ///< edge, where, value = length in mm
+  EdgeInfinite,           ///< edge
+  EdgeWithoutFace,        ///< edge: asked for G1 or G2 but has no support face
+  SupportNormalSingular,  ///< edge, where
+  CurveNotFitted,         ///< edge, where, value = remaining deviation in mm
+  LoopTooLarge,           ///< value = number of edges
+  EdgeNotInLoop,          ///< edge: a continuity is wished for an edge the hole does not have
   // numerics
-  SystemSingular,          ///< the linear system has no unique solution
-  NotFinite,               ///< a NaN or an infinity came in or out; edge if known
-  Cancelled,               ///< the caller asked to stop
+  SystemSingular,  ///< the linear system has no unique solution
+  NotFinite,       ///< a NaN or an infinity came in or out; edge if known
+  Cancelled,       ///< the caller asked to stop
   // files and shapes
-  FileUnreadable,          ///< detail = path
-  FileNotAShape,           ///< detail = path
-  FileUnwritable,          ///< detail = path
-  FileFormatUnknown,       ///< detail = path
-  ShapeEmpty,              ///< the shape has no edges
-  ResultInvalid,           ///< detail = what the check found
-  SewingOpen,              ///< edge = first edge left free, value = number of free edges
-  Foreign,                 ///< detail = message of the CAD kernel
+  FileUnreadable,     ///< detail = path
+  FileNotAShape,      ///< detail = path
+  FileUnwritable,     ///< detail = path
+  FileFormatUnknown,  ///< detail = path
+  GuideInvalid,       ///< detail = path and what is wrong in it
+  ShapeEmpty,         ///< the shape has no edges
+  ResultInvalid,      ///< detail = what the check found
+  SewingOpen,         ///< edge = first edge left free, value = number of free edges
+  Foreign,            ///< detail = message of the CAD kernel
 };
 
-/// A failure as a value. Lengths in mm, angles in degrees; `edge` and `face` are FreeCAD's numbers, 0 = not applicable.
+/// A failure as a value. Lengths in mm, angles in degrees; `edge` and `face` are FreeCAD's numbers,
+/// 0 = not applicable.
 struct Error {
   ErrorCode code = ErrorCode::Foreign;
   int edge = 0;

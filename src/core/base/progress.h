@@ -4,7 +4,8 @@
 
 namespace fairing {
 
-/// Shared between the thread that works and the one that watches. Both sides may call any member at any time.
+/// Shared between the thread that works and the one that watches. Both sides may call any member at
+/// any time.
 class Progress {
  public:
   void requestAbort() noexcept { abort_.store(true); }

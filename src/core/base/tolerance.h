@@ -3,14 +3,18 @@
 
 namespace fairing {
 
-/// What a fill has to meet. Relative members are multiplied by the diagonal of the loop's bounding box.
+/// What a fill has to meet. Relative members are multiplied by the diagonal of the loop's bounding
+/// box.
 struct Tolerance {
-  double gap = 0.0;             ///< largest distance of a boundary edge from the patches, mm; 0 = relativeGap * diagonal
-  double relativeGap = 1e-6;    ///< used where gap is 0
-  double angle = 0.02;          ///< largest angle between the normals along a side, degrees
-  double cornerAngle = 0.05;    ///< the same within the 2 % of a side next to a corner, degrees
+  double gap = 0.0;  ///< largest distance of a boundary edge from the patches, mm; 0 = relativeGap
+                     ///< * diagonal
+  double relativeGap = 1e-6;  ///< used where gap is 0
+  double angle = 0.02;        ///< largest angle between the normals along a side, degrees
+  double cornerAngle = 0.05;  ///< the same within the 2 % of a side next to a corner, degrees
 
-  [[nodiscard]] double gapFor(double diagonal) const { return gap > 0.0 ? gap : relativeGap * diagonal; }
+  [[nodiscard]] double gapFor(double diagonal) const {
+    return gap > 0.0 ? gap : relativeGap * diagonal;
+  }
 };
 
 }  // namespace fairing

@@ -14,32 +14,34 @@ struct BoundarySide {
   int face = 0;  ///< FreeCAD's FaceN of the support face, 0 = none
   Continuity continuity = Continuity::G1;
   Ribbon ribbon;
-  double length = 0.0;            ///< mm
-  double supportDeviation = 0.0;  ///< largest distance found between the 3D edge and the support face, mm
+  double length = 0.0;  ///< mm
+  double supportDeviation =
+      0.0;  ///< largest distance found between the 3D edge and the support face, mm
 };
 
 /// Where side i ends and side i+1 begins.
 struct Corner {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  double angle = 0.0;           ///< between the two sides, inside the hole, degrees in (0, 180)
-  double normalMismatch = 0.0;  ///< between the two support normals, degrees; 0 where a side has no support
-  double gap = 0.0;             ///< distance between the end of one edge and the start of the next, mm
-  /// Difference of the twists the two sides ask for, as a rate of turn of the tangent plane: degrees over a unit of
-  /// the side's parameter (maths.md section 1, "Corners"). 0 where one of the sides is G0.
+  double angle = 0.0;  ///< between the two sides, inside the hole, degrees in (0, 180)
+  double normalMismatch =
+      0.0;           ///< between the two support normals, degrees; 0 where a side has no support
+  double gap = 0.0;  ///< distance between the end of one edge and the start of the next, mm
+  /// Difference of the twists the two sides ask for, as a rate of turn of the tangent plane:
+  /// degrees over a unit of the side's parameter. 0 where one of the sides is G0.
   double twistMismatch = 0.0;
   [[nodiscard]] bool normalsAgree(double degrees) const { return normalMismatch <= degrees; }
 };
 
-/// A closed chain of sides, head to tail: the end of side i is the start of side i+1, the last one's end that of side 0.
-/// Seen against the support normals the hole lies to the left.
+/// A closed chain of sides, head to tail: the end of side i is the start of side i+1, the last
+/// one's end that of side 0. Seen against the support normals the hole lies to the left.
 struct BoundaryLoop {
   std::vector<BoundarySide> sides;
   std::vector<Corner> corners;  ///< corners[i] is at the end of sides[i]
   double diagonal = 0.0;        ///< of the bounding box of the sides, mm
 };
 
-/// Completes a loop whose sides are given: corners classified, lengths and diagonal measured from the ribbons.
-/// Fails with LoopNotClosed, EdgeDegenerate, NotFinite or EdgeWithoutFace.
+/// Completes a loop whose sides are given: corners classified, lengths and diagonal measured from
+/// the ribbons. Fails with LoopNotClosed, EdgeDegenerate, NotFinite or EdgeWithoutFace.
 [[nodiscard]] Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides);
 
 }  // namespace fairing::boundary

@@ -5,29 +5,31 @@
 #include <optional>
 
 #include "core/spline/bspline_curve.h"
+#include "core/spline/fit_curve.h"
 
 namespace fairing::boundary {
 
 /// Position and derivative of a boundary curve at a parameter t in [0, 1].
-struct CurveSample {
-  Eigen::Vector3d point;
-  Eigen::Vector3d derivative;  ///< with respect to t
-};
+using CurveSample = spline::CurvePoint;
 
 /// The support face at the foot of a boundary point.
 struct SupportSample {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();   ///< on the support face, a rounding or a CAD tolerance off the curve
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< unit, the face's orientation respected; a limit at singular points
-  /// Shape operator -dn as a symmetric form in space: II(a, b) = a' * secondForm * b for tangent vectors a and b, 1/mm.
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< on the support face, a rounding or a CAD
+                                                      ///< tolerance off the curve
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, the face's orientation respected; a
+                                                      ///< limit at singular points
+  /// Shape operator -dn as a symmetric form in space: II(a, b) = a' * secondForm * b for tangent
+  /// vectors a and b, 1/mm.
   Eigen::Matrix3d secondForm = Eigen::Matrix3d::Zero();
-  bool singular = false;                             ///< no normal here, nor a limit
+  bool singular = false;  ///< no normal here, nor a limit
 };
 
-/// What one edge of the hole hands over to the patches (maths.md section 1): a curve and, where a face lies beside it,
+/// What one edge of the hole hands over to the patches: a curve and, where a face lies beside it,
 /// that face's normals along the curve. t runs over [0, 1] in the direction of the loop.
 struct Ribbon {
   std::function<CurveSample(double t)> curve;
-  /// The curve itself where it is a polynomial B-spline (clamped, domain [0, 1], at least C1): taken over exactly.
+  /// The curve itself where it is a polynomial B-spline (clamped, domain [0, 1], at least C1):
+  /// taken over exactly.
   std::optional<spline::BsplineCurve> polynomial;
   /// Empty where the edge has no face beside it.
   std::function<SupportSample(double t)> support;

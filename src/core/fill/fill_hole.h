@@ -22,10 +22,12 @@ struct FillResult {
 };
 
 /// Spans a loop with patches that meet its sides as each side asks and minimise the chosen energy.
-/// Refines until the tolerance is met or the limits of the options are reached; then the best result found is returned
-/// and its report says that it is out of tolerance. Fails with the codes of validate(), WrongSideCount, SystemSingular,
-/// NotFinite or Cancelled; never returns unmeasured patches. [WuYang2015], see docs/algorithms/quad_fill.md.
-[[nodiscard]] Result<FillResult> fillHole(const boundary::BoundaryLoop& loop, const FillOptions& options,
+/// Refines until the tolerance is met or the limits of the options are reached; then the best
+/// result found is returned and its report says that it is out of tolerance. Fails with the codes
+/// of validate(), WrongSideCount, SystemSingular, NotFinite or Cancelled; never returns unmeasured
+/// patches. [WuYang2015], see docs/algorithms/quad_fill.md.
+[[nodiscard]] Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
+                                          const FillOptions& options,
                                           Progress* progress = nullptr);
 
 }  // namespace fairing

@@ -16,14 +16,15 @@ namespace fairing {
 struct FillOptions {
   LayoutKind layout = LayoutKind::Auto;
   EnergyKind energy = EnergyKind::ThinPlate;
-  energy::Guidance guidance;     ///< lambda, gamma and what they refer to; none by default
+  energy::Guidance guidance;  ///< lambda, gamma and what they refer to; none by default
   Tolerance tolerance;
-  int degree = 0;                ///< 0 = chosen from the edges; else 3 to 9, never below the edges' own
-  int maxRefinements = 6;        ///< solves after the first one
-  int maxPoles = 10000;          ///< largest number of control points of all patches
+  int degree = 0;          ///< 0 = chosen from the edges; else 3 to 9, never below the edges' own
+  int maxRefinements = 6;  ///< solves after the first one
+  int maxPoles = 10000;    ///< largest number of control points of all patches
 };
 
-/// The first thing wrong with the options, if any: ToleranceNotPositive, AngleNotPositive, WeightNegative, DegreeOutOfRange...
+/// The first thing wrong with the options, if any: ToleranceNotPositive, AngleNotPositive,
+/// WeightNegative, DegreeOutOfRange...
 [[nodiscard]] std::optional<Error> validate(const FillOptions& options);
 
 }  // namespace fairing

@@ -6,9 +6,11 @@
 
 namespace fairing::spline {
 
-using Poles = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< one control point a row, mm
+using Poles =
+    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< one control point a row, mm
 
-/// C(t) = sum_i B_i(t) poles.row(i), a polynomial clamped B-spline; a Bezier curve is the one-span case.
+/// C(t) = sum_i B_i(t) poles.row(i), a polynomial clamped B-spline; a Bezier curve is the one-span
+/// case.
 struct BsplineCurve {
   KnotVector knots;
   Poles poles;

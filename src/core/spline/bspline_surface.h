@@ -25,9 +25,14 @@ struct BsplineSurface {
   /// d^(a+b) R / du^a dv^b.
   [[nodiscard]] Eigen::Vector3d evaluate(double s, double t, int a = 0, int b = 0) const;
   [[nodiscard]] SurfaceJet jet(double s, double t) const;
+  /// All partial derivatives up to `order` (at most 4) along each direction: column a * (order + 1)
+  /// + b holds d^(a+b) R / du^a dv^b.
+  [[nodiscard]] Eigen::Matrix3Xd derivatives(double s, double t, int order) const;
 };
 
-[[nodiscard]] BsplineSurface refinedTo(const BsplineSurface& surface, const KnotVector& u, const KnotVector& v);
+[[nodiscard]] BsplineSurface refinedTo(const BsplineSurface& surface,
+                                       const KnotVector& u,
+                                       const KnotVector& v);
 [[nodiscard]] BsplineSurface raiseDegree(const BsplineSurface& surface, int timesU, int timesV);
 [[nodiscard]] BsplineSurface transposed(const BsplineSurface& surface);
 

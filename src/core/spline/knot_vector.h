@@ -5,7 +5,8 @@
 
 namespace fairing::spline {
 
-/// A clamped knot vector: the first and the last knot are repeated degree + 1 times, inner knots at most degree times.
+/// A clamped knot vector: the first and the last knot are repeated degree + 1 times, inner knots at
+/// most degree times.
 class KnotVector {
  public:
   KnotVector() = default;
@@ -14,7 +15,9 @@ class KnotVector {
   /// One Bezier span over [first, last].
   [[nodiscard]] static KnotVector bezier(int degree, double first = 0.0, double last = 1.0);
   /// Clamped over the breaks (strictly increasing), each inner one `multiplicity` times.
-  [[nodiscard]] static KnotVector fromBreaks(int degree, const std::vector<double>& breaks, int multiplicity = 1);
+  [[nodiscard]] static KnotVector fromBreaks(int degree,
+                                             const std::vector<double>& breaks,
+                                             int multiplicity = 1);
 
   [[nodiscard]] int degree() const { return degree_; }
   [[nodiscard]] int poleCount() const { return static_cast<int>(knots_.size()) - degree_ - 1; }
@@ -45,8 +48,8 @@ class KnotVector {
   std::vector<double> knots_;
 };
 
-/// The coarsest knots that contain both (same degree, same domain): each break with the larger multiplicity.
-/// Breaks closer than `resolution` times the domain are one.
+/// The coarsest knots that contain both (same degree, same domain): each break with the larger
+/// multiplicity. Breaks closer than `resolution` times the domain are one.
 [[nodiscard]] KnotVector merged(const KnotVector& a, const KnotVector& b, double resolution = 1e-9);
 
 }  // namespace fairing::spline

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/boundary/boundary_loop.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/boundary/constraint_normal.h"
+#include "core/spline/quadrature.h"
+
+namespace fairing::boundary {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr int kBoxSamples = 32;
+// Ends of neighbouring edges farther apart than this share of the diagonal are an open loop; CAD
+// vertices of real files are up to 1e-4 wide.
+constexpr double kLargestCornerGap = 5e-4;
+// A side shorter than this share of the diagonal is a point for every practical purpose.
+constexpr double kShortestSide = 1e-7;
+
+double measureLength(const Ribbon& ribbon) {
+  double length = 0.0;
+  for (const auto& q :
+       spline::gaussLegendre(8, spline::KnotVector::fromBreaks(3, {0.0, 0.25, 0.5, 0.75, 1.0})))
+    length += q.weight * ribbon.curve(q.parameter).derivative.norm();
+  return length;
+}
+
+double measureDiagonal(const std::vector<BoundarySide>& sides) {
+  Eigen::AlignedBox3d box;
+  for (const BoundarySide& side : sides)
+    for (int k = 0; k <= kBoxSamples; ++k)
+      box.extend(side.ribbon.curve(static_cast<double>(k) / kBoxSamples).point);
+  return box.diagonal().norm();
+}
+
+bool asksForNormals(const BoundarySide& side) {
+  return side.continuity != Continuity::G0 && side.ribbon.hasSupport();
+}
+
+// R_uv . n is prescribed by both sides, with u along `before` and v along `after`: -R_v . dn/du and
+// -R_u . dn/dv. What they differ by, over the shorter tangent, is the rate of turn that no patch
+// can give both.
+double twistMismatch(const BoundarySide& before, const BoundarySide& after) {
+  if (!asksForNormals(before) || !asksForNormals(after)) return 0.0;
+  const Eigen::Vector3d u = before.ribbon.curve(1.0).derivative;
+  const Eigen::Vector3d v = after.ribbon.curve(0.0).derivative;
+  const Eigen::Vector3d nu = constraintNormalDerivativeAtEnd(before.ribbon, false);
+  Eigen::Vector3d nv = constraintNormalDerivativeAtEnd(after.ribbon, true);
+  const bool opposed =
+      constraintNormal(before.ribbon, 1.0).dot(constraintNormal(after.ribbon, 0.0)) < 0.0;
+  if (opposed) nv = -nv;
+  return std::abs(v.dot(nu) - u.dot(nv)) / std::min(u.norm(), v.norm()) * kDegrees;
+}
+
+Corner classify(const BoundarySide& before, const BoundarySide& after) {
+  const CurveSample end = before.ribbon.curve(1.0), start = after.ribbon.curve(0.0);
+  Corner corner;
+  corner.point = 0.5 * (end.point + start.point);
+  corner.gap = (end.point - start.point).norm();
+  const Eigen::Vector3d back = -end.derivative.normalized(), on = start.derivative.normalized();
+  corner.angle = std::atan2(back.cross(on).norm(), back.dot(on)) * kDegrees;
+  if (before.ribbon.hasSupport() && after.ribbon.hasSupport()) {
+    const Eigen::Vector3d a = before.ribbon.support(1.0).normal,
+                          b = after.ribbon.support(0.0).normal;
+    corner.normalMismatch = std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * kDegrees;
+  }
+  corner.twistMismatch = twistMismatch(before, after);
+  return corner;
+}
+
+}  // namespace
+
+Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides) {
+  if (sides.empty()) return fail({ErrorCode::NothingPicked});
+  BoundaryLoop loop;
+  loop.diagonal = measureDiagonal(sides);
+  if (!std::isfinite(loop.diagonal)) return fail({ErrorCode::NotFinite});
+  for (BoundarySide& side : sides) {
+    side.length = measureLength(side.ribbon);
+    const Eigen::Vector3d start = side.ribbon.curve(0.0).point;
+    if (!std::isfinite(side.length)) return fail({ErrorCode::NotFinite, side.edge, 0, start});
+    if (side.length <= kShortestSide * loop.diagonal)
+      return fail({ErrorCode::EdgeDegenerate, side.edge, 0, start, side.length});
+    if (side.continuity != Continuity::G0 && !side.ribbon.hasSupport())
+      return fail({ErrorCode::EdgeWithoutFace, side.edge, 0, start});
+  }
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Corner corner = classify(sides[i], sides[(i + 1) % sides.size()]);
+    if (corner.gap > kLargestCornerGap * loop.diagonal)
+      return fail({ErrorCode::LoopNotClosed,
+                   sides[i].edge,
+                   0,
+                   sides[i].ribbon.curve(1.0).point,
+                   corner.gap});
+    loop.corners.push_back(corner);
+  }
+  loop.sides = std::move(sides);
+  return loop;
+}
+
+}  // namespace fairing::boundary

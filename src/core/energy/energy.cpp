@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/energy/energy.h"
+
+namespace fairing::energy {
+
+EnergyTerms energyTerms(EnergyKind kind) {
+  switch (kind) {
+    case EnergyKind::Membrane:
+      return membrane();
+    case EnergyKind::ThinPlate:
+      break;
+  }
+  return thinPlate();
+}
+
+}  // namespace fairing::energy

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/fill/refine.h"
+
+#include <algorithm>
+#include <set>
+
+namespace fairing {
+namespace {
+
+using layout::KnotWish;
+using layout::LayoutPatch;
+using layout::PatchEdge;
+
+// No span becomes shorter than this share of the patch: finer ones cost accuracy.
+constexpr double kShortestSpan = 1e-3;
+
+struct EdgeEnds {
+  Eigen::Vector2d start, end;
+};
+
+EdgeEnds edgeEnds(const LayoutPatch& patch, PatchEdge edge) {
+  const double u0 = patch.u.first(), u1 = patch.u.last(), v0 = patch.v.first(), v1 = patch.v.last();
+  switch (edge) {
+    case PatchEdge::South:
+      return {{u0, v0}, {u1, v0}};
+    case PatchEdge::East:
+      return {{u1, v0}, {u1, v1}};
+    case PatchEdge::North:
+      return {{u1, v1}, {u0, v1}};
+    case PatchEdge::West:
+      break;
+  }
+  return {{u0, v1}, {u0, v0}};
+}
+
+// The middle of the span that holds t, unless the span is as short as it may be.
+void wishMiddle(const spline::KnotVector& knots, double t, std::set<double>& wishes) {
+  const std::vector<double> breaks = knots.breaks();
+  const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
+  const double low = *(above - 1), high = *above;
+  if (high - low > 2.0 * kShortestSpan * (knots.last() - knots.first()))
+    wishes.insert(0.5 * (low + high));
+}
+
+bool isCornerPlace(double t, double zone) {
+  return t < zone || t > 1.0 - zone;
+}
+
+}  // namespace
+
+std::vector<analysis::SideTrace> sideTraces(const layout::PatchLayout& layout) {
+  std::vector<analysis::SideTrace> traces;
+  for (std::size_t p = 0; p < layout.patches.size(); ++p)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto& use = layout.patches[p].edges[k];
+      if (!use) continue;
+      const EdgeEnds ends = edgeEnds(layout.patches[p], static_cast<PatchEdge>(k));
+      traces.push_back({use->side, static_cast<int>(p), use->from, use->to, ends.start, ends.end});
+    }
+  return traces;
+}
+
+std::vector<KnotWish> wishedKnots(const layout::PatchLayout& layout,
+                                  const analysis::FillReport& report) {
+  std::vector<KnotWish> wishes(layout.patches.size());
+  std::vector<std::set<double>> u(layout.patches.size()), v(layout.patches.size());
+  for (const analysis::SideTrace& trace : sideTraces(layout)) {
+    const auto p = static_cast<std::size_t>(trace.patch);
+    const analysis::SideReport& side = report.sides[static_cast<std::size_t>(trace.side)];
+    if (side.asked == Continuity::G0) continue;
+    const bool alongU = trace.start[1] == trace.end[1];
+    for (const auto& [t, angle] : side.angleCurve) {
+      const bool inCorner = isCornerPlace(t, 0.02);
+      if (angle <= (inCorner ? report.cornerAngleLimit : report.angleLimit)) continue;
+      const Eigen::Vector2d at =
+          trace.start + (trace.end - trace.start) * ((t - trace.from) / (trace.to - trace.from));
+      if (alongU)
+        wishMiddle(layout.patches[p].u, at[0], u[p]);
+      else
+        wishMiddle(layout.patches[p].v, at[1], v[p]);
+    }
+  }
+  for (std::size_t p = 0; p < wishes.size(); ++p) {
+    wishes[p].u.assign(u[p].begin(), u[p].end());
+    wishes[p].v.assign(v[p].begin(), v[p].end());
+  }
+  return wishes;
+}
+
+}  // namespace fairing

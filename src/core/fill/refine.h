@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "core/analysis/continuity_report.h"
+#include "core/layout/layouts.h"
+
+namespace fairing {
+
+/// Where the sides run on the patches of a layout.
+[[nodiscard]] std::vector<analysis::SideTrace> sideTraces(const layout::PatchLayout& layout);
+
+/// The knots that would help most: the middle of every span next to which a side is over a limit of
+/// the report. Spans at corners whose twists disagree are halved again and again, which grades the
+/// knots towards them with ratio 1/2.
+[[nodiscard]] std::vector<layout::KnotWish> wishedKnots(const layout::PatchLayout& layout,
+                                                        const analysis::FillReport& report);
+
+}  // namespace fairing

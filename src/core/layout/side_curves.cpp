@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/layout/side_curves.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/spline/fit_curve.h"
+
+namespace fairing::layout {
+namespace {
+
+using spline::BsplineCurve;
+using spline::KnotVector;
+
+constexpr int kPreferredDegree = 5;
+// Raising the degree of a curve with many spans multiplies its poles by up to three, and those of
+// the patch by nine: above this number of poles a side keeps its own degree.
+constexpr int kMostPolesToRaise = 16;
+constexpr int kLeastDegree = 3;
+// Two knots that should be one (the same CAD knot seen from either side) differ by rounding, not by
+// more.
+constexpr double kSameKnot = 1e-7;
+
+std::optional<BsplineCurve> exactCurve(const DirectedSide& s) {
+  const auto& polynomial = s.side->ribbon.polynomial;
+  if (!polynomial) return std::nullopt;
+  return s.reversed ? spline::reversed(*polynomial) : *polynomial;
+}
+
+spline::CurveFunction curveFunction(const DirectedSide& s) {
+  if (!s.reversed) return s.side->ribbon.curve;
+  return [given = s.side->ribbon.curve](double t) {
+    const spline::CurvePoint p = given(1.0 - t);
+    return spline::CurvePoint{p.point, -p.derivative};
+  };
+}
+
+int chooseDegree(const std::vector<BsplineCurve>& exact, int wish) {
+  int own = kLeastDegree;
+  for (const BsplineCurve& c : exact) own = std::max(own, c.knots.degree());
+  if (wish > 0) return std::max(own, wish);
+  if (own >= kPreferredDegree) return own;
+  for (const BsplineCurve& c : exact)
+    if (c.knots.raised(kPreferredDegree - c.knots.degree()).poleCount() > kMostPolesToRaise)
+      return own;
+  return kPreferredDegree;
+}
+
+// Adds the middle of every span whose fit is over tolerance. False where nothing was added.
+bool bisectBadSpans(KnotVector& knots, const std::vector<double>& spanErrors, double tolerance) {
+  const std::vector<double> breaks = knots.breaks();
+  bool added = false;
+  for (std::size_t s = 0; s < spanErrors.size(); ++s) {
+    if (spanErrors[s] <= tolerance) continue;
+    knots = knots.withKnot(0.5 * (breaks[s] + breaks[s + 1]));
+    added = true;
+  }
+  return added;
+}
+
+}  // namespace
+
+KnotVector chooseKnots(const std::vector<DirectedSide>& sides,
+                       int degree,
+                       double fitTolerance,
+                       int maxPoles) {
+  std::vector<BsplineCurve> exact;
+  std::vector<DirectedSide> others;
+  for (const DirectedSide& s : sides) {
+    if (auto curve = exactCurve(s))
+      exact.push_back(std::move(*curve));
+    else
+      others.push_back(s);
+  }
+  const int p = chooseDegree(exact, degree);
+  KnotVector knots = KnotVector::bezier(p);
+  for (const BsplineCurve& c : exact)
+    knots = merged(knots, c.knots.raised(p - c.knots.degree()), kSameKnot);
+  for (const DirectedSide& s : others) {
+    const spline::CurveFunction given = curveFunction(s);
+    while (knots.poleCount() < maxPoles &&
+           bisectBadSpans(knots, spline::fitCurve(given, knots).spanErrors, fitTolerance)) {
+    }
+  }
+  return knots;
+}
+
+SideCurve curveOnKnots(const DirectedSide& side, const KnotVector& knots) {
+  if (const auto exact = exactCurve(side)) {
+    const BsplineCurve raised = raiseDegree(*exact, knots.degree() - exact->knots.degree());
+    return {refinedTo(raised, knots), 0.0};
+  }
+  const spline::CurveFit fit = spline::fitCurve(curveFunction(side), knots);
+  return {fit.curve, fit.error()};
+}
+
+}  // namespace fairing::layout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <vector>
+
+namespace fairing::solver {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// sum_k weights[k] . point(points[k]) = right, with vector weights.
+struct LinearRow {
+  std::vector<int> points;
+  std::vector<Eigen::Vector3d> weights;
+  double right = 0.0;
+};
+
+/// Rows that are solved for the coordinates of some points of their own, the rest of the points
+/// being handed through. A block may use points that earlier blocks have solved for, but not solve
+/// for points those blocks have used.
+struct ConstraintBlock {
+  std::vector<LinearRow> rows;
+  std::vector<int> solvedFor;
+};
+
+/// Minimises over n points x_i in space
+///   1/2 sum_ij stiffness_ij x_i . x_j + 1/2 X' coupled X - load . X      X = (x_0, y_0, z_0, x_1,
+///   ...)
+/// subject to x_i = values_i where fixed, and to the rows of the blocks.
+struct QuadraticProgram {
+  Sparse stiffness;         ///< n x n, symmetric: the same for the three coordinates
+  Sparse coupled;           ///< 3n x 3n, symmetric, or empty: what couples the coordinates
+  Eigen::VectorXd load;     ///< 3n, or empty
+  std::vector<char> fixed;  ///< n flags
+  Points values;            ///< n x 3, read where fixed
+  std::vector<ConstraintBlock> blocks;
+};
+
+}  // namespace fairing::solver

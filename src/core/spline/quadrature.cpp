@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/spline/quadrature.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace fairing::spline {
+namespace {
+
+// Value and derivative of the Legendre polynomial P_n, by its three-term recurrence.
+struct Legendre {
+  double value, derivative;
+};
+
+Legendre legendre(int n, double x) {
+  double before = 1.0, value = x;
+  for (int k = 2; k <= n; ++k) {
+    const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+    before = value;
+    value = next;
+  }
+  return {value, n * (x * value - before) / (x * x - 1.0)};
+}
+
+}  // namespace
+
+std::vector<QuadraturePoint> gaussLegendre(int n, double a, double b) {
+  if (n == 1) return {{0.5 * (a + b), b - a}};
+  std::vector<QuadraturePoint> points;
+  for (int i = 0; i < n; ++i) {
+    double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));  // a close guess of root i
+    for (int newton = 0; newton < 20; ++newton) {
+      const Legendre p = legendre(n, x);
+      const double step = p.value / p.derivative;
+      x -= step;
+      if (std::abs(step) < 1e-15) break;
+    }
+    const double slope = legendre(n, x).derivative;
+    points.push_back(
+        {0.5 * (a + b) + 0.5 * (b - a) * x, (b - a) / ((1.0 - x * x) * slope * slope)});
+  }
+  return points;
+}
+
+std::vector<QuadraturePoint> gaussLegendre(int n, const KnotVector& knots) {
+  const std::vector<QuadraturePoint> unit = gaussLegendre(n, 0.0, 1.0);
+  const std::vector<double> breaks = knots.breaks();
+  std::vector<QuadraturePoint> points;
+  for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
+    for (const QuadraturePoint& q : unit) {
+      const double width = breaks[s + 1] - breaks[s];
+      points.push_back({breaks[s] + width * q.parameter, width * q.weight});
+    }
+  return points;
+}
+
+}  // namespace fairing::spline
