@@ -13,6 +13,7 @@ import rules
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 CODE = {".cpp", ".h", ".py", ".cmake"}
+PAGE = re.compile(r"[\w./-]+\.md\b")
 MACHINE_PATH = re.compile(r"(?<![\w.$~{}])/(?:work|home|root|tmp/\w)/\w")
 
 
@@ -35,13 +36,14 @@ def stage_of(name):
     return stage if stage in rules.STAGES and len(parts) > len(stage.split("/")) else None
 
 
-def may_include(stage, target):
-    """Whether a file of one layer may include a header of another."""
+def may_include(stage, header):
+    """Whether a file of one layer may include a header, given by its path from src/."""
+    target = stage_of(header)
     if stage == target:
         return True
     if stage in rules.PIPELINES and target in rules.PIPELINES:
         return False
-    return any(fnmatch.fnmatch(target, allowed) for allowed in rules.STAGES[stage])
+    return any(allowed == header or fnmatch.fnmatch(target, allowed) for allowed in rules.STAGES[stage])
 
 
 def check_includes(name, text):
@@ -55,7 +57,7 @@ def check_includes(name, text):
         target = stage_of(header)
         if bracket == '"' and target is None:
             yield f'{name}: "{header}" is not a path from src/ to a layer'
-        elif bracket == '"' and not may_include(stage, target):
+        elif bracket == '"' and not may_include(stage, header):
             yield f"{name}: {stage} must not know {target} ({header})"
         elif bracket == "<" and not any(
                 re.fullmatch(pattern, header) for pattern in rules.FOREIGN[stage.split("/")[0]]):
@@ -104,6 +106,13 @@ def check_form(name, text):
         yield f"{name}: names a path of one machine ({found.group()})"
 
 
+def check_pages(name, text, names):
+    """Pages a source speaks of that the tree does not have."""
+    for page in sorted(set(PAGE.findall(text))):
+        if not any(known == page or known.endswith("/" + page) for known in names):
+            yield f"{name}: speaks of {page}, which does not exist"
+
+
 def check_folders(names):
     """Folders the architecture does not know."""
     seen = {parent.as_posix() for name in names for parent in PurePosixPath(name).parents} - {"."}
@@ -124,6 +133,8 @@ def check_tree(root):
         except UnicodeDecodeError:
             continue
         yield from check_form(name, text)
+        if PurePosixPath(name).suffix in CODE and not name.startswith("tests/architecture/"):
+            yield from check_pages(name, text, names)
         if name.startswith("src/") and name.endswith((".h", ".cpp")):
             yield from check_includes(name, text)
         if name.startswith("Mod/fairing/") and name.endswith(".py"):
