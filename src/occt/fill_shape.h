@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <TopoDS_Shape.hxx>
+
+#include "core/fill/fill_hole.h"
+#include "occt/join.h"
+#include "occt/picks.h"
+#include "occt/shape_index.h"
+
+namespace fairing::occt {
+
+/// A filled hole of a shape.
+struct ShapeFill {
+  TopoDS_Shape shape;  ///< what was asked for: faces, shell or base
+  FillResult fill;
+  boundary::BoundaryLoop loop;
+};
+
+/// The whole way: loop, patches, faces, result. Fails with the codes of readBoundary(), fillHole()
+/// and joinResult().
+[[nodiscard]] Result<ShapeFill> fillShape(const ShapeIndex& index,
+                                          const Picks& picks,
+                                          const FillOptions& options,
+                                          ResultMode mode,
+                                          Progress* progress = nullptr);
+
+}  // namespace fairing::occt

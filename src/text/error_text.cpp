@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "text/error_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "text/quantities.h"
+
+namespace fairing::text {
+namespace {
+
+std::string at(const Error& e) {
+  return e.where ? " at " + point(*e.where) : std::string();
+}
+
+std::string edge(const Error& e) {
+  return fmt::format("Edge {}", e.edge);
+}
+
+long count(const Error& e) {
+  return std::lround(e.value);
+}
+
+std::string ofEdge(const Error& e) {
+  return e.edge > 0 ? fmt::format(" of edge {}", e.edge) : "";
+}
+
+std::string optionSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::ToleranceNotPositive:
+      return fmt::format("The tolerance must be a length above zero, not {}.", number(e.value));
+    case ErrorCode::AngleNotPositive:
+      return fmt::format("The angle tolerance must be above zero, not {}.", number(e.value));
+    case ErrorCode::WeightNegative:
+      return fmt::format("The weight {} must be zero or more, not {}.", e.detail, number(e.value));
+    case ErrorCode::DegreeOutOfRange:
+      return fmt::format("The degree must be from 3 to 9, or 0 to have it chosen, not {}.",
+                         count(e));
+    case ErrorCode::ControlPointLimit:
+      return fmt::format("The largest number of control points, {}, leaves no room for a patch.",
+                         count(e));
+    default:
+      return fmt::format("There is no choice called {}.", e.detail);
+  }
+}
+
+std::string pickSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::NothingPicked:
+      return "No edge is picked, and the shape has no hole to fill.";
+    case ErrorCode::EdgeOutOfRange:
+      return fmt::format(
+          "There is no edge {}: the shape's edges are numbered 1 to {}.", e.edge, count(e));
+    case ErrorCode::FaceOutOfRange:
+      return fmt::format(
+          "There is no face {}: the shape's faces are numbered 1 to {}.", e.face, count(e));
+    case ErrorCode::EdgePickedTwice:
+      return edge(e) + " is picked twice.";
+    case ErrorCode::EdgeNotInLoop:
+      return edge(e) + " is given a continuity but does not border the hole.";
+    case ErrorCode::EdgeNotFree:
+      return fmt::format(
+          "{} has {} faces beside it, so there is no hole: pick the face that is to be replaced.",
+          edge(e),
+          count(e));
+    case ErrorCode::EdgeWithManyFaces:
+      return fmt::format(
+          "{} has {} faces beside it; at most two can meet in a border.", edge(e), count(e));
+    case ErrorCode::EdgeDegenerate:
+      return fmt::format(
+          "{}{} is no more than a point ({} long).", edge(e), at(e), length(e.value));
+    case ErrorCode::EdgeInfinite:
+      return edge(e) + " is infinitely long.";
+    case ErrorCode::EdgeWithoutFace:
+      return edge(e) + " has no face beside it, so it can only be met in position (G0).";
+    default:
+      return fmt::format(
+          "The face beside edge {} has no normal{}: meet this edge in position only (G0).",
+          e.edge,
+          at(e));
+  }
+}
+
+std::string loopSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::SeveralLoops:
+      return fmt::format(
+          "The picked edges belong to {} separate loops; edge {} is not on the first one.",
+          count(e),
+          e.edge);
+    case ErrorCode::LoopNotClosed:
+      return e.value > 0.0
+                 ? fmt::format("The loop does not close: a gap of {} at the end of edge {}{}.",
+                               length(e.value),
+                               e.edge,
+                               at(e))
+                 : fmt::format(
+                       "The loop does not close: nothing follows edge {}{}.", e.edge, at(e));
+    case ErrorCode::LoopSelfTouching:
+      return fmt::format("The loop touches itself at edge {}{}.", e.edge, at(e));
+    case ErrorCode::LoopBranches:
+      return fmt::format(
+          "After edge {}{} several edges could go on: pick more edges of the hole.", e.edge, at(e));
+    case ErrorCode::WrongSideCount:
+      return fmt::format("The hole has {} side{}; only four-sided holes can be filled so far.",
+                         count(e),
+                         count(e) == 1 ? "" : "s");
+    default:
+      return fmt::format("The loop has {} edges, too many to fill.", count(e));
+  }
+}
+
+std::string numericSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::CurveNotFitted:
+      return fmt::format("Edge {} cannot be followed closely enough: {} remain{}.",
+                         e.edge,
+                         length(e.value),
+                         at(e));
+    case ErrorCode::SystemSingular:
+      return "The surface is not determined by its edges and options; more continuity or a smaller "
+             "weight helps.";
+    case ErrorCode::NotFinite:
+      return fmt::format("The numbers{} are not finite{}.", ofEdge(e), at(e));
+    default:
+      return "Cancelled.";
+  }
+}
+
+std::string fileSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::FileUnreadable:
+      return fmt::format("{} cannot be read.", e.detail);
+    case ErrorCode::FileNotAShape:
+      return fmt::format("{} holds no shape.", e.detail);
+    case ErrorCode::FileUnwritable:
+      return fmt::format("{} cannot be written.", e.detail);
+    case ErrorCode::FileFormatUnknown:
+      return fmt::format("{} is neither .brep nor .step by its name.", e.detail);
+    case ErrorCode::GuideInvalid:
+      return fmt::format("The guide {}.", e.detail);
+    case ErrorCode::ShapeEmpty:
+      return "The shape has no edges.";
+    case ErrorCode::ResultInvalid:
+      return fmt::format("The new face is not valid: {}.",
+                         e.detail.empty() ? "unknown reason" : e.detail);
+    case ErrorCode::SewingOpen:
+      return count(e) == 1
+                 ? fmt::format("The new faces could not be sewn to edge {}.", e.edge)
+                 : fmt::format("The new faces could not be sewn to {} edges, edge {} among them.",
+                               count(e),
+                               e.edge);
+    default:
+      return fmt::format("The geometry kernel failed: {}.", e.detail);
+  }
+}
+
+}  // namespace
+
+std::string sentence(const Error& error) {
+  switch (error.code) {
+    case ErrorCode::ToleranceNotPositive:
+    case ErrorCode::AngleNotPositive:
+    case ErrorCode::WeightNegative:
+    case ErrorCode::DegreeOutOfRange:
+    case ErrorCode::ControlPointLimit:
+    case ErrorCode::UnknownChoice:
+      return optionSentence(error);
+    case ErrorCode::NothingPicked:
+    case ErrorCode::EdgeOutOfRange:
+    case ErrorCode::FaceOutOfRange:
+    case ErrorCode::EdgePickedTwice:
+    case ErrorCode::EdgeNotInLoop:
+    case ErrorCode::EdgeNotFree:
+    case ErrorCode::EdgeWithManyFaces:
+    case ErrorCode::EdgeDegenerate:
+    case ErrorCode::EdgeInfinite:
+    case ErrorCode::EdgeWithoutFace:
+    case ErrorCode::SupportNormalSingular:
+      return pickSentence(error);
+    case ErrorCode::SeveralLoops:
+    case ErrorCode::LoopNotClosed:
+    case ErrorCode::LoopSelfTouching:
+    case ErrorCode::LoopBranches:
+    case ErrorCode::WrongSideCount:
+    case ErrorCode::LoopTooLarge:
+      return loopSentence(error);
+    case ErrorCode::CurveNotFitted:
+    case ErrorCode::SystemSingular:
+    case ErrorCode::NotFinite:
+    case ErrorCode::Cancelled:
+      return numericSentence(error);
+    case ErrorCode::FileUnreadable:
+    case ErrorCode::FileNotAShape:
+    case ErrorCode::FileUnwritable:
+    case ErrorCode::FileFormatUnknown:
+    case ErrorCode::GuideInvalid:
+    case ErrorCode::ShapeEmpty:
+    case ErrorCode::ResultInvalid:
+    case ErrorCode::SewingOpen:
+    case ErrorCode::Foreign:
+      return fileSentence(error);
+  }
+  return "Something went wrong.";
+}
+
+}  // namespace fairing::text

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "text/report_json.h"
+
+#include "text/report_text.h"
+#include "text/words.h"
+
+namespace fairing::text {
+namespace {
+
+using nlohmann::json;
+
+json toJson(const Eigen::Vector3d& p) {
+  return json::array({p.x(), p.y(), p.z()});
+}
+
+json toJson(const analysis::Deviation& d) {
+  return {{"max", d.max}, {"rms", d.rms}, {"where", toJson(d.where)}, {"parameter", d.parameter}};
+}
+
+json toJson(const analysis::SideReport& side) {
+  json curve = json::array();
+  for (const auto& [t, degrees] : side.angleCurve) curve.push_back(json::array({t, degrees}));
+  return {{"edge", side.edge},
+          {"face", side.face},
+          {"asked", word(side.asked)},
+          {"gap", toJson(side.gap)},
+          {"angle", toJson(side.angle)},
+          {"corner_angle", toJson(side.cornerAngle)},
+          {"curvature", toJson(side.curvature)},
+          {"support_deviation", side.supportDeviation},
+          {"backwards", side.backwards},
+          {"within_tolerance", side.withinTolerance},
+          {"angle_curve", std::move(curve)}};
+}
+
+json toJson(const analysis::CornerReport& corner) {
+  return {{"point", toJson(corner.point)},
+          {"edge_before", corner.edgeBefore},
+          {"edge_after", corner.edgeAfter},
+          {"angle", corner.angle},
+          {"normal_mismatch", corner.normalMismatch},
+          {"twist_mismatch", corner.twistMismatch},
+          {"normals_agree", corner.normalsAgree},
+          {"twists_agree", corner.twistsAgree}};
+}
+
+json toJson(const analysis::FairnessReport& fairness) {
+  return {{"area", fairness.area},
+          {"total_curvature", fairness.totalCurvature},
+          {"mean_curvature_gradient", fairness.meanCurvatureGradient},
+          {"largest_curvature", fairness.largestCurvature}};
+}
+
+json toJson(const solver::SolveSummary& summary) {
+  return {{"solves", summary.solves},
+          {"poles", summary.poles},
+          {"unknowns", summary.unknowns},
+          {"constraints", summary.constraints},
+          {"energy", summary.energy},
+          {"constraint_residual", summary.constraintResidual},
+          {"layout_time", summary.layoutTime},
+          {"solve_time", summary.solveTime},
+          {"measure_time", summary.measureTime},
+          {"total_time", summary.totalTime}};
+}
+
+template <class T>
+json list(const std::vector<T>& items) {
+  json result = json::array();
+  for (const T& item : items) result.push_back(toJson(item));
+  return result;
+}
+
+}  // namespace
+
+json toJson(const analysis::FillReport& report) {
+  return {{"within_tolerance", report.withinTolerance},
+          {"verdict", verdict(report)},
+          {"largest_gap", report.largestGap},
+          {"largest_angle", report.largestAngle},
+          {"largest_corner_angle", report.largestCornerAngle},
+          {"diagonal", report.diagonal},
+          {"limits",
+           {{"gap", report.gapLimit},
+            {"angle", report.angleLimit},
+            {"corner_angle", report.cornerAngleLimit}}},
+          {"sides", list(report.sides)},
+          {"corners", list(report.corners)},
+          {"fairness", toJson(report.fairness)}};
+}
+
+json toJson(const FillResult& result) {
+  json report = toJson(result.report);
+  report["layout"] = word(result.layout);
+  report["solve"] = toJson(result.summary);
+  report["patches"] = json::array();
+  for (const spline::BsplineSurface& patch : result.patches) {
+    report["patches"].push_back({{"degree", {patch.u.degree(), patch.v.degree()}},
+                                 {"poles", {patch.u.poleCount(), patch.v.poleCount()}}});
+  }
+  return report;
+}
+
+}  // namespace fairing::text

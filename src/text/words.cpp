@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "text/words.h"
+
+#include <array>
+#include <utility>
+
+namespace fairing::text {
+namespace {
+
+template <class T, std::size_t n>
+using Words = std::array<std::pair<T, std::string_view>, n>;
+
+constexpr Words<Continuity, 2> kContinuities{{{Continuity::G0, "G0"}, {Continuity::G1, "G1"}}};
+constexpr Words<EnergyKind, 2> kEnergies{
+    {{EnergyKind::Membrane, "membrane"}, {EnergyKind::ThinPlate, "thin-plate"}}};
+constexpr Words<LayoutKind, 2> kLayouts{{{LayoutKind::Auto, "auto"}, {LayoutKind::Quad, "quad"}}};
+
+template <class T, std::size_t n>
+std::string_view find(const Words<T, n>& words, T value) {
+  for (const auto& [known, text] : words) {
+    if (known == value) return text;
+  }
+  return {};
+}
+
+template <class T, std::size_t n>
+std::optional<T> find(const Words<T, n>& words, std::string_view text) {
+  for (const auto& [value, known] : words) {
+    if (known == text) return value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view word(Continuity continuity) {
+  return find(kContinuities, continuity);
+}
+std::string_view word(EnergyKind energy) {
+  return find(kEnergies, energy);
+}
+std::string_view word(LayoutKind layout) {
+  return find(kLayouts, layout);
+}
+
+std::optional<Continuity> continuityFrom(std::string_view text) {
+  return find(kContinuities, text);
+}
+std::optional<EnergyKind> energyFrom(std::string_view text) {
+  return find(kEnergies, text);
+}
+std::optional<LayoutKind> layoutFrom(std::string_view text) {
+  return find(kLayouts, text);
+}
+
+}  // namespace fairing::text

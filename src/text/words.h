@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "core/boundary/continuity.h"
+#include "core/energy/energy_kind.h"
+#include "core/layout/layout_kind.h"
+
+/// The words people, files and scripts use for our choices. Documents store them: change none, add
+/// only.
+namespace fairing::text {
+
+[[nodiscard]] std::string_view word(Continuity continuity);  ///< "G0", "G1"
+[[nodiscard]] std::string_view word(EnergyKind energy);      ///< "membrane", "thin-plate"
+[[nodiscard]] std::string_view word(LayoutKind layout);      ///< "auto", "quad"
+
+[[nodiscard]] std::optional<Continuity> continuityFrom(std::string_view text);
+[[nodiscard]] std::optional<EnergyKind> energyFrom(std::string_view text);
+[[nodiscard]] std::optional<LayoutKind> layoutFrom(std::string_view text);
+
+}  // namespace fairing::text
