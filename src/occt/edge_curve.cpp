@@ -88,7 +88,10 @@ Handle(Geom_BSplineCurve) cutBspline(const TopoDS_Edge& edge) {
     spline = GeomConvert::CurveToBSplineCurve(bezier);
   }
   if (spline.IsNull()) return spline;
-  const bool whole = first == spline->FirstParameter() && last == spline->LastParameter();
+  // Files keep 15 digits: a range that should be the whole curve misses it by a rounding.
+  const double rounding = kExact * (last - first);
+  const bool whole = std::abs(first - spline->FirstParameter()) <= rounding &&
+                     std::abs(last - spline->LastParameter()) <= rounding;
   if (!whole || spline->IsPeriodic() || !isClamped(*spline)) {
     // The default tolerance snaps to knots 1e-9 away, which the check below would notice.
     spline->Segment(first, last, 4.0 * std::numeric_limits<double>::epsilon() * (last - first));
