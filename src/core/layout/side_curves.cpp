@@ -35,6 +35,18 @@ spline::CurveFunction curveFunction(const DirectedSide& s) {
   };
 }
 
+// The curve with its knots moved onto those of `knots` they stand for: refinedTo() needs them equal to the last bit.
+BsplineCurve snapped(const BsplineCurve& curve, const KnotVector& knots) {
+  std::vector<double> moved = curve.knots.knots();
+  const auto& targets = knots.knots();
+  for (double& t : moved) {
+    const auto above = std::lower_bound(targets.begin(), targets.end(), t);
+    if (above != targets.end() && *above - t <= kSameKnot) t = *above;
+    else if (above != targets.begin() && t - *(above - 1) <= kSameKnot) t = *(above - 1);
+  }
+  return {KnotVector(curve.knots.degree(), std::move(moved)), curve.poles};
+}
+
 int chooseDegree(const std::vector<BsplineCurve>& exact, int wish) {
   int own = kLeastDegree;
   for (const BsplineCurve& c : exact) own = std::max(own, c.knots.degree());
@@ -88,7 +100,7 @@ KnotVector chooseKnots(const std::vector<DirectedSide>& sides,
 SideCurve curveOnKnots(const DirectedSide& side, const KnotVector& knots) {
   if (const auto exact = exactCurve(side)) {
     const BsplineCurve raised = raiseDegree(*exact, knots.degree() - exact->knots.degree());
-    return {refinedTo(raised, knots), 0.0};
+    return {refinedTo(snapped(raised, knots), knots), 0.0};
   }
   const spline::CurveFit fit = spline::fitCurve(curveFunction(side), knots);
   return {fit.curve, fit.error()};
