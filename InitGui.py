@@ -25,10 +25,4 @@ class FairingWorkbench(FreeCADGui.Workbench):
         return "Gui::PythonWorkbench"
 
 
-def _start():
-    from fairing import workbench
-
-    workbench.start(FairingWorkbench())
-
-
-_start()
+FairingWorkbench._workbench.start(FairingWorkbench())

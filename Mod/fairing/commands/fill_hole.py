@@ -37,7 +37,7 @@ class FillHoleCommand:
         if problem:
             show_problem(problem)
             return
-        FillPanel.open(picks=selection.current_picks())
+        FillPanel.show(picks=selection.current_picks())
 
 
 def show_problem(sentence: str) -> None:

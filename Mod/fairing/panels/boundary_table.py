@@ -67,10 +67,11 @@ class BoundaryTable(QtCore.QObject):
         self._rows = {side["edge"]: row for row, side in enumerate(loop)}
         self._combos = {}
         for row, side in enumerate(loop):
-            self._set(row, EDGE, f"Edge{side['edge']}")
-            self._set(row, FACE, f"Face{side['face']}" if side["face"] else "\u2013")
+            self._set(row, EDGE, str(side["edge"]))
+            self._set(row, FACE, str(side["face"]) if side["face"] else "\u2013")
             self._set(row, GAP, "")
             self._set(row, ANGLE, "")
+            self._widget.item(row, EDGE).setIcon(QtGui.QIcon(status.Status.UNKNOWN.pixmap(14)))
             self._widget.setCellWidget(row, CONTINUITY, self._make_combo(side["edge"]))
 
     def _make_combo(self, edge: int) -> QtGui.QComboBox:
@@ -86,7 +87,7 @@ class BoundaryTable(QtCore.QObject):
         item = self._widget.item(row, column)
         if item is None:
             item = QtGui.QTableWidgetItem()
-            if column in (GAP, ANGLE):
+            if column in (FACE, GAP, ANGLE):
                 item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
             self._widget.setItem(row, column, item)
         item.setText(text)

@@ -28,7 +28,7 @@ class FillPanel:
     """Connects a FillSession with the form, the background solver and the 3D view."""
 
     @classmethod
-    def open(cls, picks: Optional[selection.Picks] = None, obj: Optional[App.DocumentObject] = None) -> bool:
+    def show(cls, picks: Optional[selection.Picks] = None, obj: Optional[App.DocumentObject] = None) -> bool:
         """Shows the panel for a new fill, or to edit one. False, with a message, where that cannot be."""
         problem = native.problem()
         if problem:
@@ -101,6 +101,10 @@ class FillPanel:
         ui.previewCheck.setChecked(settings.shows_preview())
         ui.previewCheck.toggled.connect(self._refresh)
         ui.labelsCheck.setChecked(settings.shows_labels())
+        for widget in (ui.progressBar, ui.stopButton):
+            keep = widget.sizePolicy()
+            keep.setRetainSizeWhenHidden(True)  # nothing jumps while computing
+            widget.setSizePolicy(keep)
         self._choices.changed.connect(self._refresh)
 
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
@@ -206,8 +210,8 @@ class FillPanel:
     def _say(self, sign: Status, text: str) -> None:
         self._ui.verdictIcon.setPixmap(sign.pixmap(16) if text else QtGui.QPixmap())
         self._ui.verdictLabel.setText(text)
-        color = f"color: {Status.BAD.value[0]}" if sign is Status.BAD else ""
-        self._ui.verdictLabel.setStyleSheet(color)
+        label = self._ui.verdictLabel
+        label.setStyleSheet(f"color: {sign.text_color(label.palette())}" if sign is Status.BAD else "")
 
     def _fail(self, sentence: str) -> None:
         self._fill = None

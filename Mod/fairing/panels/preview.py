@@ -8,6 +8,7 @@ from pivy import coin
 
 TRANSPARENCY = 0.15
 EDGE_WIDTH = 5.0  # pixels
+DEPTH_RANGE = (0.0, 0.9998)  # a touch nearer than the base's own edges, which would show through otherwise
 
 
 class Preview:
@@ -96,8 +97,10 @@ class _Edges:
         light.model = coin.SoLightModel.BASE_COLOR
         style = coin.SoDrawStyle()
         style.lineWidth = EDGE_WIDTH
-        self.root.addChild(light)
-        self.root.addChild(style)
+        depth = coin.SoDepthBuffer()
+        depth.range = DEPTH_RANGE
+        for node in (light, style, depth):
+            self.root.addChild(node)
         for line, color in zip(lines, colors):
             material = coin.SoBaseColor()
             material.rgb = color

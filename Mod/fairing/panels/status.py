@@ -24,6 +24,12 @@ class Status(enum.Enum):
         color = QtGui.QColor(self.value[0])
         return color.redF(), color.greenF(), color.blueF()
 
+    def text_color(self, palette: QtGui.QPalette) -> str:
+        """The same for text, legible on the palette's background."""
+        color = QtGui.QColor(self.value[0])
+        is_dark = palette.color(QtGui.QPalette.Window).lightness() < 128
+        return (color.lighter(140) if is_dark else color.darker(110)).name()
+
     def pixmap(self, size: int = 16) -> QtGui.QPixmap:
         """A dot with its sign, drawn at twice the size for sharp screens."""
         pixmap = QtGui.QPixmap(2 * size, 2 * size)

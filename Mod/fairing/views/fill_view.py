@@ -37,7 +37,7 @@ class FillView:
             return None
         from ..panels.fill_panel import FillPanel
 
-        return FillPanel.open(obj=view_object.Object)
+        return FillPanel.show(obj=view_object.Object)
 
     def unsetEdit(self, view_object, mode: int = EDIT_DEFAULT):
         import FreeCADGui as Gui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/numpy.h>
+
+#include "occt/fill_shape.h"
+#include "occt/shape_bytes.h"
+#include "python/bindings.h"
+#include "python/error_to_python.h"
+#include "python/fill_mesh.h"
+#include "text/report_json.h"
+#include "text/report_text.h"
+
+namespace py = pybind11;
+
+namespace fairing::python {
+namespace {
+
+using occt::ShapeFill;
+
+py::bytes brep(const ShapeFill& fill) {
+  return valueOf(occt::bytesFromShape(fill.shape));
+}
+
+py::object report(const ShapeFill& fill) {
+  return py::module_::import("json").attr("loads")(text::toJson(fill.fill).dump());
+}
+
+/// Copies a list of numbers into an array with three columns.
+template <class Number>
+py::array_t<Number> rowsOfThree(const std::vector<Number>& numbers) {
+  const auto rows = static_cast<py::ssize_t>(numbers.size() / 3);
+  return py::array_t<Number>({rows, py::ssize_t{3}}, numbers.data());
+}
+
+py::tuple mesh(const ShapeFill& fill, int divisions) {
+  Mesh made;
+  {
+    const py::gil_scoped_release release;
+    made = meshOf(fill.fill, divisions);
+  }
+  return py::make_tuple(
+      rowsOfThree(made.points), rowsOfThree(made.normals), rowsOfThree(made.triangles));
+}
+
+}  // namespace
+
+void bindFill(py::module_& module) {
+  py::class_<ShapeFill>(module, "Fill", "A filled hole: faces and what was measured on them.")
+      .def("brep", &brep, "The result as BREP text: faces, shell or base, as asked for.")
+      .def("mesh",
+           &mesh,
+           py::arg("divisions") = 32,
+           "Triangles for drawing: points and unit normals (float32, n x 3), triangles (int32, m x "
+           "3).")
+      .def_property_readonly(
+          "report", &report, "Everything measured, as a dict: lengths in mm, angles in degrees.")
+      .def_property_readonly(
+          "verdict",
+          [](const ShapeFill& fill) { return text::verdict(fill.fill.report); },
+          "The report in one sentence.")
+      .def_property_readonly(
+          "table",
+          [](const ShapeFill& fill) { return text::table(fill.fill.report); },
+          "The report as a table, one line an edge.")
+      .def_property_readonly(
+          "within_tolerance",
+          [](const ShapeFill& fill) { return fill.fill.report.withinTolerance; },
+          "Whether every edge is met within the tolerances.");
+}
+
+}  // namespace fairing::python

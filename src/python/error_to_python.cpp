@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "python/error_to_python.h"
+
+#include "python/bindings.h"
+#include "text/error_text.h"
+
+namespace py = pybind11;
+
+namespace fairing::python {
+namespace {
+
+PyObject* fairingError = nullptr;  // lives as long as the interpreter
+
+/// The enumerator's own name. The compiler warns of a missing one.
+const char* name(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::ToleranceNotPositive:
+      return "ToleranceNotPositive";
+    case ErrorCode::AngleNotPositive:
+      return "AngleNotPositive";
+    case ErrorCode::WeightNegative:
+      return "WeightNegative";
+    case ErrorCode::DegreeOutOfRange:
+      return "DegreeOutOfRange";
+    case ErrorCode::ControlPointLimit:
+      return "ControlPointLimit";
+    case ErrorCode::GuideInvalid:
+      return "GuideInvalid";
+    case ErrorCode::UnknownChoice:
+      return "UnknownChoice";
+    case ErrorCode::NothingPicked:
+      return "NothingPicked";
+    case ErrorCode::EdgeOutOfRange:
+      return "EdgeOutOfRange";
+    case ErrorCode::FaceOutOfRange:
+      return "FaceOutOfRange";
+    case ErrorCode::EdgePickedTwice:
+      return "EdgePickedTwice";
+    case ErrorCode::SeveralLoops:
+      return "SeveralLoops";
+    case ErrorCode::LoopNotClosed:
+      return "LoopNotClosed";
+    case ErrorCode::LoopSelfTouching:
+      return "LoopSelfTouching";
+    case ErrorCode::LoopBranches:
+      return "LoopBranches";
+    case ErrorCode::WrongSideCount:
+      return "WrongSideCount";
+    case ErrorCode::EdgeWithManyFaces:
+      return "EdgeWithManyFaces";
+    case ErrorCode::EdgeNotFree:
+      return "EdgeNotFree";
+    case ErrorCode::EdgeDegenerate:
+      return "EdgeDegenerate";
+    case ErrorCode::EdgeInfinite:
+      return "EdgeInfinite";
+    case ErrorCode::EdgeWithoutFace:
+      return "EdgeWithoutFace";
+    case ErrorCode::SupportNormalSingular:
+      return "SupportNormalSingular";
+    case ErrorCode::CurveNotFitted:
+      return "CurveNotFitted";
+    case ErrorCode::EdgeNotInLoop:
+      return "EdgeNotInLoop";
+    case ErrorCode::LoopTooLarge:
+      return "LoopTooLarge";
+    case ErrorCode::SystemSingular:
+      return "SystemSingular";
+    case ErrorCode::NotFinite:
+      return "NotFinite";
+    case ErrorCode::Cancelled:
+      return "Cancelled";
+    case ErrorCode::FileUnreadable:
+      return "FileUnreadable";
+    case ErrorCode::FileNotAShape:
+      return "FileNotAShape";
+    case ErrorCode::FileUnwritable:
+      return "FileUnwritable";
+    case ErrorCode::FileFormatUnknown:
+      return "FileFormatUnknown";
+    case ErrorCode::ShapeEmpty:
+      return "ShapeEmpty";
+    case ErrorCode::ResultInvalid:
+      return "ResultInvalid";
+    case ErrorCode::SewingOpen:
+      return "SewingOpen";
+    case ErrorCode::Foreign:
+      return "Foreign";
+  }
+  return "";
+}
+
+void raise(const Error& error) {
+  py::object exception = py::reinterpret_borrow<py::object>(fairingError)(text::sentence(error));
+  exception.attr("code") = name(error.code);
+  exception.attr("edge") = error.edge;
+  exception.attr("face") = error.face;
+  exception.attr("value") = error.value;
+  exception.attr("where") = py::none();
+  if (error.where) {
+    exception.attr("where") = py::make_tuple(error.where->x(), error.where->y(), error.where->z());
+  }
+  PyErr_SetObject(fairingError, exception.ptr());
+}
+
+}  // namespace
+
+void bindErrors(py::module_& module) {
+  fairingError = PyErr_NewExceptionWithDoc(
+      "fairing._fairing.FairingError",
+      "What cannot be done, as one sentence; code names the reason, edge and face are FreeCAD's "
+      "numbers (0: none), "
+      "where is a point in mm or None, value the number the sentence speaks of.",
+      PyExc_ValueError,
+      nullptr);
+  module.attr("FairingError") = py::reinterpret_borrow<py::object>(fairingError);
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const Failure& failure) {
+      raise(failure.error());
+    }
+  });
+}
+
+}  // namespace fairing::python

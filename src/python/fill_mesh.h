@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/fill/fill_hole.h"
+
+namespace fairing::python {
+
+/// Triangles for drawing. Rows of three: points (mm), unit normals on the side of the supports'
+/// normals, point indices.
+struct Mesh {
+  std::vector<float> points, normals;
+  std::vector<std::int32_t> triangles;
+};
+
+/// Every patch on a grid of `divisions` by `divisions` cells, at least 1.
+[[nodiscard]] Mesh meshOf(const FillResult& fill, int divisions);
+
+}  // namespace fairing::python
