@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Notation: S(u, v) the support surface, n its unit normal with the face's orientation,
-//   I  = (Su.Su  Su.Sv; Su.Sv  Sv.Sv)   first fundamental form, J = (Su Sv), 3 x 2
-//   II = (Suu.n  Suv.n; Suv.n  Svv.n)   second fundamental form
-// As a form in space: J I^-1 II I^-1 J', so that tangent vectors may be put in as they are.
 #include "occt/edge_support.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
@@ -23,37 +18,20 @@ using boundary::SupportSample;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Below this sine between Su and Sv a normal has lost half its digits.
-constexpr double kSingularSine = 1e-7;
-/// One partial derivative this much shorter than the other (in lengths over the face's domain) is a
-/// pole of the surface.
-constexpr double kSingularRatio = 1e-7;
 /// First distance from a singular point at which the limit is taken, in units of the face's domain.
 constexpr double kLimitStep = 1e-3;
 /// Largest turn of the normal (radians) over the last halving of that distance for a limit to
 /// exist.
 constexpr double kLimitTurn = 0.01;
 constexpr int kLandmarks = 64;
-constexpr int kNewtonSteps = 12;
+/// The foot stays near the pcurve by itself; surfaces go on a little beyond their domain.
+const DomainBox kEverywhere(Vector2d::Constant(-1e100), Vector2d::Constant(1e100));
 
 SupportSample noSupport(const Vector3d& point) {
   return {.point = point, .normal = Vector3d::Zero(), .singular = true};
 }
 
 }  // namespace
-
-struct EdgeSupport::Jet {
-  double u, v;
-  Vector3d point, su, sv, suu, suv, svv;
-
-  [[nodiscard]] Vector3d cross() const { return su.cross(sv); }
-  [[nodiscard]] bool regular(double uRange, double vRange) const {
-    const double a = su.norm() * uRange;
-    const double b = sv.norm() * vRange;
-    const double sine = cross().norm() / (su.norm() * sv.norm());
-    return std::min(a, b) > kSingularRatio * std::max(a, b) && sine > kSingularSine;
-  }
-};
 
 EdgeSupport::EdgeSupport(const TopoDS_Face& face,
                          const TopoDS_Edge& use,
@@ -80,14 +58,6 @@ EdgeSupport::EdgeSupport(const TopoDS_Face& face,
   }
 }
 
-EdgeSupport::Jet EdgeSupport::evaluate(double u, double v) const {
-  gp_Pnt p;
-  gp_Vec su, sv, suu, svv, suv;
-  surface_.D2(u, v, p, su, sv, suu, svv, suv);
-  return {
-      u, v, fromOcct(p), fromOcct(su), fromOcct(sv), fromOcct(suu), fromOcct(suv), fromOcct(svv)};
-}
-
 gp_Pnt2d EdgeSupport::start(double parameter, const Vector3d& point) const {
   if (landmarks_.empty()) {
     const double share = (parameter - edgeFirst_) / (edgeLast_ - edgeFirst_);
@@ -100,44 +70,14 @@ gp_Pnt2d EdgeSupport::start(double parameter, const Vector3d& point) const {
   return pcurve_.Value(nearest->parameter);
 }
 
-EdgeSupport::Jet EdgeSupport::project(const Vector3d& point, Jet jet) const {
-  for (int i = 0; i < kNewtonSteps; ++i) {
-    const Vector3d r = jet.point - point;
-    const Vector2d gradient(r.dot(jet.su), r.dot(jet.sv));
-    Eigen::Matrix2d first;
-    first << jet.su.dot(jet.su), jet.su.dot(jet.sv), jet.su.dot(jet.sv), jet.sv.dot(jet.sv);
-    Eigen::Matrix2d hessian = first;
-    hessian(0, 0) += r.dot(jet.suu);
-    hessian(1, 1) += r.dot(jet.svv);
-    hessian(0, 1) += r.dot(jet.suv);
-    hessian(1, 0) = hessian(0, 1);
-    if (!(hessian(0, 0) > 0.0 && hessian.determinant() > 0.5 * first.determinant()))
-      hessian = first;
-    if (!(hessian.determinant() > 0.0)) break;
-    const Vector2d step = hessian.inverse() * gradient;
-    const Jet next = evaluate(jet.u - step.x(), jet.v - step.y());
-    if (!((next.point - point).norm() < r.norm())) break;
-    const double moved = (next.point - jet.point).norm();
-    jet = next;
-    if (moved <= 1e-14 * (1.0 + point.norm())) break;
-  }
-  return jet;
-}
-
-SupportSample EdgeSupport::sample(const Jet& jet) const {
-  SupportSample result{.point = jet.point};
-  result.normal = normalSign_ * jet.cross().normalized();
-  Eigen::Matrix<double, 3, 2> tangents;
-  tangents << jet.su, jet.sv;
-  Eigen::Matrix2d second;
-  second << jet.suu.dot(result.normal), jet.suv.dot(result.normal), jet.suv.dot(result.normal),
-      jet.svv.dot(result.normal);
-  const Eigen::Matrix<double, 3, 2> dual = tangents * (tangents.transpose() * tangents).inverse();
-  result.secondForm = dual * second * dual.transpose();
+SupportSample EdgeSupport::sample(const SurfacePoint& at) const {
+  SupportSample result{.point = at.point};
+  result.normal = normalSign_ * at.cross().normalized();
+  result.secondForm = at.secondForm(result.normal);
   return result;
 }
 
-SupportSample EdgeSupport::limit(double parameter, const Jet& jet) const {
+SupportSample EdgeSupport::limit(double parameter, const SurfacePoint& foot) const {
   double u0, u1, v0, v1;
   BRepTools::UVBounds(face_, u0, u1, v0, v1);
   const Vector2d range(u1 - u0, v1 - v0);
@@ -151,9 +91,9 @@ SupportSample EdgeSupport::limit(double parameter, const Jet& jet) const {
 
   const auto normalAt = [&](const Vector2d& direction,
                             double step) -> std::optional<SupportSample> {
-    const Vector2d at = Vector2d(jet.u, jet.v) + step * range.cwiseProduct(direction);
-    const Jet near = evaluate(at.x(), at.y());
-    if (!near.regular(range.x(), range.y())) return std::nullopt;
+    const Vector2d at = Vector2d(foot.u, foot.v) + step * range.cwiseProduct(direction);
+    const SurfacePoint near = evaluate(surface_, at.x(), at.y());
+    if (!near.isRegular()) return std::nullopt;
     return sample(near);
   };
   for (const Vector2d& direction : {Vector2d((along + inside).normalized()), inside, along}) {
@@ -161,23 +101,20 @@ SupportSample EdgeSupport::limit(double parameter, const Jet& jet) const {
     const auto near = normalAt(direction, kLimitStep / 2);
     if (!far || !near || (far->normal - near->normal).norm() > kLimitTurn) continue;
     SupportSample result = *near;
-    result.point = jet.point;
+    result.point = foot.point;
     result.normal = (2.0 * near->normal - far->normal).normalized();
     return result;
   }
-  return noSupport(jet.point);
+  return noSupport(foot.point);
 }
 
 SupportSample EdgeSupport::at(double parameter, const Vector3d& point) const {
   try {
     const gp_Pnt2d uv = start(parameter, point);
-    Jet jet = evaluate(uv.X(), uv.Y());
-    if ((jet.point - point).norm() > trust_) jet = project(point, jet);
-    if (!jet.point.allFinite()) return noSupport(point);
-    const double uRange = surface_.LastUParameter() - surface_.FirstUParameter();
-    const double vRange = surface_.LastVParameter() - surface_.FirstVParameter();
-    return jet.regular(std::min(uRange, 1.0), std::min(vRange, 1.0)) ? sample(jet)
-                                                                     : limit(parameter, jet);
+    SurfacePoint foot = evaluate(surface_, uv.X(), uv.Y());
+    if ((foot.point - point).norm() > trust_) foot = footFrom(surface_, point, foot, kEverywhere);
+    if (!foot.point.allFinite()) return noSupport(point);
+    return foot.isRegular() ? sample(foot) : limit(parameter, foot);
   } catch (const Standard_Failure&) {
     return noSupport(point);
   }

@@ -8,6 +8,7 @@
 
 #include "core/boundary/ribbon.h"
 #include "occt/shape_index.h"
+#include "occt/surface_point.h"
 
 namespace fairing::occt {
 
@@ -36,12 +37,9 @@ class EdgeSupport {
   [[nodiscard]] boundary::SupportSample at(double parameter, const Eigen::Vector3d& point) const;
 
  private:
-  struct Jet;
-  [[nodiscard]] Jet evaluate(double u, double v) const;
   [[nodiscard]] gp_Pnt2d start(double parameter, const Eigen::Vector3d& point) const;
-  [[nodiscard]] Jet project(const Eigen::Vector3d& point, Jet jet) const;
-  [[nodiscard]] boundary::SupportSample limit(double parameter, const Jet& jet) const;
-  [[nodiscard]] boundary::SupportSample sample(const Jet& jet) const;
+  [[nodiscard]] boundary::SupportSample limit(double parameter, const SurfacePoint& foot) const;
+  [[nodiscard]] boundary::SupportSample sample(const SurfacePoint& foot) const;
 
   BRepAdaptor_Surface surface_;
   Geom2dAdaptor_Curve pcurve_;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/fill/fill_options.h"
+#include "occt/picks.h"
+#include "occt/result_mode.h"
+
+namespace fairing::cli {
+
+/// What stands on the command line, as text: the words are looked at after parsing, so that each
+/// mistake gets its sentence.
+struct PickArguments {
+  std::vector<std::string> edges, faces;
+  std::string continuity = "G1";
+  std::vector<std::string> edgeContinuity;
+  Tolerance tolerance;
+
+  void addTo(CLI::App& command);
+  /// Fails with UnknownChoice.
+  [[nodiscard]] Result<occt::Picks> picks() const;
+};
+
+struct FillArguments {
+  std::string shape, out, report;
+  PickArguments picks;
+  std::string layout = "auto", energy = "thin-plate", result = "patches";
+  double lambda = 0.0, gamma = 0.0;
+  std::string reference, guide;
+  int degree = 0, maxPoles = FillOptions{}.maxPoles;
+
+  void addTo(CLI::App& command);
+  /// Reads the reference and the guide file, too. Fails with UnknownChoice, the codes of
+  /// validate(), readShape() and readGuide().
+  [[nodiscard]] Result<FillOptions> options() const;
+  [[nodiscard]] Result<occt::ResultMode> mode() const;
+};
+
+struct ReportArguments {
+  std::string shape, patches, report;
+  PickArguments picks;
+
+  void addTo(CLI::App& command);
+};
+
+}  // namespace fairing::cli

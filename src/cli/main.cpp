@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "cli/commands.h"
+#include "cli/output.h"
+
+namespace {
+
+using fairing::cli::Outcome;
+
+Outcome run(int argc, char** argv) {
+  CLI::App app(
+      "Fills holes in CAD shapes with fair B-spline faces that meet their neighbours smoothly.",
+      "fairing");
+  app.set_version_flag("--version", "fairing " FAIRING_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit status: 0 within tolerance, 1 written but out of tolerance, 2 nothing written.");
+
+  fairing::cli::FillArguments fill;
+  CLI::App* fillCommand = app.add_subcommand("fill", "fill a hole, or every hole of a shape");
+  fill.addTo(*fillCommand);
+
+  fairing::cli::ReportArguments report;
+  CLI::App* reportCommand =
+      app.add_subcommand("report", "measure faces against the hole they fill");
+  report.addTo(*reportCommand);
+
+  CLI::App* blendCommand =
+      app.add_subcommand("blend", "join two chains of edges (not available yet)");
+  blendCommand->allow_extras();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {  // --help and --version
+      app.exit(error);
+      return Outcome::WithinTolerance;
+    }
+    fairing::cli::complain(error.what());
+    return Outcome::NothingWritten;
+  }
+  if (*fillCommand) return fairing::cli::runFill(fill);
+  if (*reportCommand) return fairing::cli::runReport(report);
+  fairing::cli::complain("Blending is not available yet; fairing fill fills four-sided holes.");
+  return Outcome::NothingWritten;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(run(argc, argv));
+  } catch (const std::exception& error) {
+    fairing::cli::complain(error.what());
+    return static_cast<int>(Outcome::NothingWritten);
+  }
+}
