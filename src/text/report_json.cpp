@@ -19,7 +19,7 @@ json toJson(const analysis::Deviation& d) {
 
 json toJson(const analysis::SideReport& side) {
   json curve = json::array();
-  for (const auto& [t, degrees] : side.angleCurve) curve.push_back(json::array({t, degrees}));
+  for (const auto& place : side.angleCurve) curve.push_back(json::array({place.t, place.angle}));
   return {{"edge", side.edge},
           {"face", side.face},
           {"asked", word(side.asked)},

@@ -39,6 +39,8 @@ SurfaceFoot closestPoint(const spline::BsplineSurface& surface,
   best.distance = (best.jet.point - point).norm();
   for (int k = 0; k < kMostSteps; ++k) {
     Eigen::Vector2d move = step(best.jet, best.jet.point - point);
+    if (std::abs(move[0]) < kSmallStep * width && std::abs(move[1]) < kSmallStep * height)
+      return best;
     SurfaceFoot next = best;
     for (int halving = 0; halving < 6; ++halving, move *= 0.5) {
       next.u = std::clamp(best.u + move[0], surface.u.first(), surface.u.last());
@@ -49,10 +51,7 @@ SurfaceFoot closestPoint(const spline::BsplineSurface& surface,
       if (next.distance <= best.distance) break;
     }
     if (next.distance > best.distance) return best;
-    const bool still = std::abs(next.u - best.u) < kSmallStep * width &&
-                       std::abs(next.v - best.v) < kSmallStep * height;
     best = next;
-    if (still) break;
   }
   return best;
 }

@@ -6,16 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/analysis/closest_point.h"
-#include "core/analysis/curvature.h"
-#include "core/analysis/side_samples.h"
-
 namespace fairing::analysis {
 namespace {
 
 using boundary::BoundaryLoop;
 using boundary::BoundarySide;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -26,13 +21,13 @@ constexpr double kFlat = 0.01;
 constexpr double kTwistShare = 0.1;
 constexpr double kFinestSpan = 1.0 / 64.0;
 
-void add(Deviation& d, double value, const MeasuredFoot& foot) {
+void add(Deviation& d, double value, const ProbePoint& probe) {
   if (d.count == 0 || value > d.max) {
     d.max = value;
-    d.where = foot.point;
-    d.parameter = foot.t;
+    d.where = probe.point;
+    d.parameter = probe.t;
   }
-  d.rms += value * value;
+  d.rms += value * value;  // a sum of squares until finish()
   ++d.count;
 }
 
@@ -40,62 +35,36 @@ void finish(Deviation& d) {
   d.rms = d.count > 0 ? std::sqrt(d.rms / d.count) : 0.0;
 }
 
+// Between the lines of two unit normals: which way a neighbour is oriented is not a matter of
+// tangency.
 double angleBetween(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegrees;
+  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * kDegrees;
 }
 
-// Direction across the side in the support's tangent plane.
-Vector3d acrossSide(const boundary::Ribbon& ribbon, const Vector3d& normal, double t) {
-  return normal.cross(ribbon.curve(t).derivative).normalized();
+void addFoot(const ProbePoint& probe,
+             const MeasuredFoot& foot,
+             double orientation,
+             double flat,
+             SideReport& report) {
+  add(report.gap, foot.gap, probe);
+  if (!probe.hasNormal) return;
+  const double angle = angleBetween(foot.normal, probe.normal);
+  if (orientation * foot.normal.dot(probe.normal) < 0.0) report.backwards = true;
+  report.floorAngle = std::max(report.floorAngle, probe.floor);
+  report.angleCurve.push_back({probe.t, angle, probe.floor, probe.inCorner});
+  add(probe.inCorner ? report.cornerAngle : report.angle, angle, probe);
+  if (probe.inCorner) return;
+  const double asked = probe.curvature, got = orientation * foot.curvature;
+  add(report.curvature, std::abs(asked - got) / (std::abs(asked) + std::abs(got) + flat), probe);
 }
 
-SurfaceFoot footOnTrace(const std::vector<spline::BsplineSurface>& patches,
-                        const SideTrace& trace,
-                        double t,
-                        const Vector3d& point) {
-  const Vector2d guess =
-      trace.start + (trace.end - trace.start) * ((t - trace.from) / (trace.to - trace.from));
-  return closestPoint(patches[static_cast<std::size_t>(trace.patch)], point, guess[0], guess[1]);
-}
-
-MeasuredFoot measured(const BoundarySide& side,
-                      double t,
-                      bool inCorner,
-                      const std::vector<spline::BsplineSurface>& patches,
-                      const SideTrace& trace) {
-  MeasuredFoot foot;
-  foot.t = t;
-  foot.inCorner = inCorner;
-  foot.point = side.ribbon.curve(t).point;
-  const SurfaceFoot found = footOnTrace(patches, trace, t, foot.point);
-  foot.gap = found.distance;
-  foot.normal = found.jet.normalVector().normalized();
-  foot.curvature = normalCurvature(found.jet, acrossSide(side.ribbon, foot.normal, t));
-  return foot;
-}
-
-std::vector<MeasuredFoot> measureSide(const BoundarySide& side,
-                                      int index,
-                                      const std::vector<spline::BsplineSurface>& patches,
-                                      const std::vector<SideTrace>& traces) {
-  std::vector<MeasuredFoot> feet;
-  for (const SidePlace& place : sidePlaces(side.ribbon))
-    for (const SideTrace& trace : traces) {
-      if (trace.side != index || place.t < trace.from || place.t > trace.to) continue;
-      feet.push_back(measured(side, place.t, place.inCorner, patches, trace));
-      break;
-    }
-  return feet;
-}
-
-// +1 where most of the patches' normals along the border agree with the supports', else -1.
-double orientationOf(const BoundaryLoop& loop, const std::vector<std::vector<MeasuredFoot>>& feet) {
+// +1 where most normals along the border agree with the supports', else -1.
+double orientationOf(const LoopProbe& probe, const std::vector<std::vector<MeasuredFoot>>& feet) {
   int balance = 0;
-  for (std::size_t k = 0; k < loop.sides.size(); ++k) {
-    if (!loop.sides[k].ribbon.hasSupport()) continue;
-    for (const MeasuredFoot& foot : feet[k])
-      balance += loop.sides[k].ribbon.support(foot.t).normal.dot(foot.normal) >= 0.0 ? 1 : -1;
-  }
+  for (std::size_t k = 0; k < feet.size(); ++k)
+    for (std::size_t i = 0; i < feet[k].size(); ++i)
+      if (probe.sides[k][i].hasNormal)
+        balance += probe.sides[k][i].normal.dot(feet[k][i].normal) >= 0.0 ? 1 : -1;
   return balance >= 0 ? 1.0 : -1.0;
 }
 
@@ -103,7 +72,21 @@ bool within(const Deviation& d, double limit) {
   return d.count == 0 || d.max <= limit;
 }
 
-}  // namespace
+void judge(FillReport& report) {
+  report.withinTolerance = true;
+  for (SideReport& side : report.sides) {
+    side.withinTolerance = within(side.gap, report.gapLimit);
+    report.largestGap = std::max(report.largestGap, side.gap.max);
+    if (side.asked != Continuity::G0) {
+      side.withinTolerance = side.withinTolerance && !side.backwards &&
+                             within(side.angle, report.angleLimit) &&
+                             within(side.cornerAngle, report.cornerAngleLimit);
+      report.largestAngle = std::max(report.largestAngle, side.angle.max);
+      report.largestCornerAngle = std::max(report.largestCornerAngle, side.cornerAngle.max);
+    }
+    report.withinTolerance = report.withinTolerance && side.withinTolerance;
+  }
+}
 
 FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
   FillReport report;
@@ -121,12 +104,13 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
   }
   for (std::size_t k = 0; k < loop.corners.size(); ++k) {
     const boundary::Corner& corner = loop.corners[k];
-    CornerReport entry{corner.point,
-                       loop.sides[k].edge,
-                       loop.sides[(k + 1) % loop.sides.size()].edge,
-                       corner.angle,
-                       corner.normalMismatch,
-                       corner.twistMismatch};
+    CornerReport entry;
+    entry.point = corner.point;
+    entry.edgeBefore = loop.sides[k].edge;
+    entry.edgeAfter = loop.sides[(k + 1) % loop.sides.size()].edge;
+    entry.angle = corner.angle;
+    entry.normalMismatch = corner.normalMismatch;
+    entry.twistMismatch = corner.twistMismatch;
     entry.normalsAgree = corner.normalsAgree(report.angleLimit);
     entry.twistsAgree = kTwistShare * kFinestSpan * corner.twistMismatch <= report.angleLimit;
     report.corners.push_back(entry);
@@ -134,66 +118,24 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
   return report;
 }
 
-void addFoot(const BoundarySide& side,
-             const MeasuredFoot& foot,
-             double diagonal,
-             double orientation,
-             SideReport& report) {
-  add(report.gap, foot.gap, foot);
-  if (!side.ribbon.hasSupport()) return;
-  const boundary::SupportSample support = side.ribbon.support(foot.t);
-  if (support.singular) return;
-  const Vector3d normal = orientation * foot.normal;
-  const double opposed = angleBetween(normal, support.normal);
-  const double angle = std::min(opposed, 180.0 - opposed);
-  if (opposed > 90.0) report.backwards = true;
-  report.angleCurve.emplace_back(foot.t, angle);
-  add(foot.inCorner ? report.cornerAngle : report.angle, angle, foot);
-  if (foot.inCorner) return;
-  const Vector3d across = acrossSide(side.ribbon, support.normal, foot.t);
-  const double asked = across.dot(support.secondForm * across), got = orientation * foot.curvature;
-  add(report.curvature,
-      std::abs(asked - got) / (std::abs(asked) + std::abs(got) + kFlat / diagonal),
-      foot);
-}
+}  // namespace
 
-void finishSide(SideReport& report) {
-  for (Deviation* d : {&report.gap, &report.angle, &report.cornerAngle, &report.curvature})
-    finish(*d);
-}
-
-void judge(FillReport& report) {
-  report.largestGap = report.largestAngle = report.largestCornerAngle = 0.0;
-  report.withinTolerance = true;
-  for (SideReport& side : report.sides) {
-    side.withinTolerance = within(side.gap, report.gapLimit);
-    report.largestGap = std::max(report.largestGap, side.gap.max);
-    if (side.asked != Continuity::G0) {
-      side.withinTolerance = side.withinTolerance && !side.backwards &&
-                             within(side.angle, report.angleLimit) &&
-                             within(side.cornerAngle, report.cornerAngleLimit);
-      report.largestAngle = std::max(report.largestAngle, side.angle.max);
-      report.largestCornerAngle = std::max(report.largestCornerAngle, side.cornerAngle.max);
-    }
-    report.withinTolerance = report.withinTolerance && side.withinTolerance;
-  }
-}
-
-FillReport measureFill(const BoundaryLoop& loop,
-                       const std::vector<spline::BsplineSurface>& patches,
-                       const std::vector<SideTrace>& traces,
-                       const Tolerance& tolerance) {
+FillReport measureLoop(const BoundaryLoop& loop,
+                       const LoopProbe& probe,
+                       const Tolerance& tolerance,
+                       const FootFinder& footOf) {
+  std::vector<std::vector<MeasuredFoot>> feet(probe.sides.size());
+  for (std::size_t k = 0; k < probe.sides.size(); ++k)
+    for (const ProbePoint& p : probe.sides[k]) feet[k].push_back(footOf(k, p));
+  const double orientation = orientationOf(probe, feet);
   FillReport report = emptyReport(loop, tolerance);
-  std::vector<std::vector<MeasuredFoot>> feet;
-  for (std::size_t k = 0; k < loop.sides.size(); ++k)
-    feet.push_back(measureSide(loop.sides[k], static_cast<int>(k), patches, traces));
-  const double orientation = orientationOf(loop, feet);
-  for (std::size_t k = 0; k < loop.sides.size(); ++k) {
-    for (const MeasuredFoot& foot : feet[k])
-      addFoot(loop.sides[k], foot, loop.diagonal, orientation, report.sides[k]);
-    finishSide(report.sides[k]);
-  }
   report.reversed = orientation < 0.0;
+  for (std::size_t k = 0; k < feet.size(); ++k) {
+    SideReport& side = report.sides[k];
+    for (std::size_t i = 0; i < feet[k].size(); ++i)
+      addFoot(probe.sides[k][i], feet[k][i], orientation, kFlat / loop.diagonal, side);
+    for (Deviation* d : {&side.gap, &side.angle, &side.cornerAngle, &side.curvature}) finish(*d);
+  }
   judge(report);
   return report;
 }

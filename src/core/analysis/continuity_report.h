@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
-#include "core/base/result.h"
+#include "core/analysis/loop_probe.h"
 #include "core/base/tolerance.h"
 #include "core/boundary/boundary_loop.h"
-#include "core/spline/bspline_surface.h"
 
 namespace fairing::analysis {
 
@@ -17,6 +17,15 @@ struct Deviation {
   int count = 0;                                    ///< points measured; 0 = not applicable
   Eigen::Vector3d where = Eigen::Vector3d::Zero();  ///< point of the boundary curve, mm
   double parameter = 0.0;                           ///< of the side, 0 to 1
+};
+
+/// Angle between the normals at a side parameter, and the part of it that is the edge's own;
+/// degrees.
+struct AnglePlace {
+  double t = 0.0;
+  double angle = 0.0;
+  double floor = 0.0;
+  bool inCorner = false;
 };
 
 /// One side measured. "Inside" leaves out the 2 % of the length next to either corner, "corner" is
@@ -34,9 +43,11 @@ struct SideReport {
   bool backwards =
       false;  ///< the patch leaves the side on the wrong half of the tangent plane (a cusp)
   bool withinTolerance = false;
-  /// Angle along the side for a plot: parameter and degrees, ascending. Empty without a support
-  /// face.
-  std::vector<std::pair<double, double>> angleCurve;
+  /// The largest angle that is the edge's own: its tangent leaves the support's tangent plane by as
+  /// much, and no patch through the edge can come closer there. Degrees.
+  double floorAngle = 0.0;
+  /// Angle along the side, ascending, for a plot and for refinement. Empty without a support face.
+  std::vector<AnglePlace> angleCurve;
 };
 
 /// What keeps a corner from being met exactly.
@@ -73,50 +84,20 @@ struct FillReport {
   bool withinTolerance = false;
 };
 
-/// Where a stretch of a side runs on a patch: the straight line from `start` to `end` in the
-/// patch's parameters, affine in the side's parameter over [from, to]. Only a first guess of the
-/// feet: the gap is measured to the surface.
-struct SideTrace {
-  int side = 0;
-  int patch = 0;
-  double from = 0.0, to = 1.0;
-  Eigen::Vector2d start, end;
-};
-
-/// Measures patches against the loop they were made for, on points of its own (not the solver's).
-[[nodiscard]] FillReport measureFill(const boundary::BoundaryLoop& loop,
-                                     const std::vector<spline::BsplineSurface>& patches,
-                                     const std::vector<SideTrace>& traces,
-                                     const Tolerance& tolerance);
-
-/// The verdict of every side and of the whole from the deviations and the limits in the report. For
-/// callers that measure by other means.
-void judge(FillReport& report);
-
-/// What is known of a loop before any patch: corners, limits, one empty entry per side.
-[[nodiscard]] FillReport emptyReport(const boundary::BoundaryLoop& loop,
-                                     const Tolerance& tolerance);
-
-/// One foot of a side point on whatever spans the hole.
+/// What was found where a probe point meets what spans the hole.
 struct MeasuredFoot {
-  double t = 0.0;  ///< side parameter
-  bool inCorner = false;
-  Eigen::Vector3d point;   ///< on the side
   double gap = 0.0;        ///< mm
-  Eigen::Vector3d normal;  ///< of the patch, unit
-  double curvature =
-      0.0;  ///< normal curvature of the patch across the side, against `normal`, 1/mm
+  Eigen::Vector3d normal;  ///< unit
+  double curvature = 0.0;  ///< normal curvature across the side, against `normal`, 1/mm
 };
 
-/// Takes one foot into a side's report: gap, and angle and curvature against the support where the
-/// side has one. `orientation` is +1 or -1: the sign that turns the patch's normal to the supports'
-/// side.
-void addFoot(const boundary::BoundarySide& side,
-             const MeasuredFoot& foot,
-             double diagonal,
-             double orientation,
-             SideReport& report);
-/// Turns the sums kept while feet were added into root mean squares.
-void finishSide(SideReport& report);
+/// Finds the foot of a probe point of side `side` on whatever spans the hole.
+using FootFinder = std::function<MeasuredFoot(std::size_t side, const ProbePoint& probe)>;
+
+/// Measures whatever spans a loop: every deviation, every corner, and the verdict.
+[[nodiscard]] FillReport measureLoop(const boundary::BoundaryLoop& loop,
+                                     const LoopProbe& probe,
+                                     const Tolerance& tolerance,
+                                     const FootFinder& footOf);
 
 }  // namespace fairing::analysis

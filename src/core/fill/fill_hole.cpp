@@ -20,6 +20,11 @@ using Patches = std::vector<spline::BsplineSurface>;
 
 // Edges that are not polynomial are fitted this much closer than the gap allowed.
 constexpr double kFitShare = 0.1;
+// Refinement goes on until the deviations are below this share of the limits: they are sampled, the
+// peaks are between.
+constexpr double kAim = 0.8;
+constexpr double kBackwards = 1e6;
+constexpr double kTieShare = 1e-3;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -41,21 +46,30 @@ Patches makePatches(const layout::PatchLayout& layout, const solver::Points& poi
   return patches;
 }
 
-// How far over the limits a report is; 1 = just within. Infinite for a patch that leaves a side
-// backwards.
+// How far over the limits a report is; 1 = just within. The sum over the sides tells reports apart
+// whose worst place is the same, as where an edge lies off its face. A patch that leaves a side
+// backwards is worse than any.
 double excess(const analysis::FillReport& report) {
-  double worst = std::max({report.largestGap / report.gapLimit,
-                           report.largestAngle / report.angleLimit,
-                           report.largestCornerAngle / report.cornerAngleLimit});
-  for (const analysis::SideReport& side : report.sides)
-    if (side.asked != Continuity::G0 && side.backwards) worst = 1e3 * (1.0 + worst);
-  return worst;
+  double worst = 0.0, sum = 0.0;
+  for (const analysis::SideReport& side : report.sides) {
+    double own = side.gap.max / report.gapLimit;
+    if (side.asked != Continuity::G0) {
+      own = std::max({own,
+                      side.angle.max / report.angleLimit,
+                      side.cornerAngle.max / report.cornerAngleLimit});
+      if (side.backwards) own += kBackwards;
+    }
+    worst = std::max(worst, own);
+    sum += own;
+  }
+  return worst + kTieShare * sum;
 }
 
 // One pass through the pipeline on a given layout: constraints and energy -> solver -> patches +
 // report.
 Result<FillResult> fillOn(const boundary::BoundaryLoop& loop,
                           const layout::PatchLayout& layout,
+                          const analysis::LoopProbe& probe,
                           const FillOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   auto constraints = constraint::constrainSides(loop, layout);
@@ -80,7 +94,7 @@ Result<FillResult> fillOn(const boundary::BoundaryLoop& loop,
   result.layout = layout.kind;
   result.summary.solveTime = secondsSince(start);
   result.report =
-      analysis::measureFill(loop, result.patches, sideTraces(layout), options.tolerance);
+      analysis::measureFill(loop, probe, result.patches, sideTraces(layout), options.tolerance);
   result.reversed.assign(result.patches.size(), result.report.reversed);
   result.summary.measureTime = secondsSince(start) - result.summary.solveTime;
   result.summary.poles = layout.pointCount;
@@ -105,16 +119,17 @@ Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
   if (!layout) return pass(layout.error());
   const double layoutTime = secondsSince(start);
 
+  const analysis::LoopProbe probe = analysis::probeLoop(loop);
   std::optional<FillResult> best;
   int solves = 0;
   for (int round = 0; round <= options.maxRefinements; ++round) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
-    auto tried = fillOn(loop, *layout, options);
+    auto tried = fillOn(loop, *layout, probe, options);
     if (!tried) return tried;
     ++solves;
-    const auto wishes = wishedKnots(*layout, tried->report);
+    const auto wishes = wishedKnots(*layout, tried->report, kAim);
     if (!best || excess(tried->report) < excess(best->report)) best = std::move(*tried);
-    if (best->report.withinTolerance) break;
+    if (excess(best->report) <= kAim) break;
     if (progress) progress->setFraction((round + 1.0) / (options.maxRefinements + 1.0));
     if (std::all_of(wishes.begin(), wishes.end(), [](const auto& w) { return w.empty(); })) break;
     auto finer = layout::refineLayout(loop, *layout, wishes);

@@ -42,8 +42,12 @@ void wishMiddle(const spline::KnotVector& knots, double t, std::set<double>& wis
     wishes.insert(0.5 * (low + high));
 }
 
-bool isCornerPlace(double t, double zone) {
-  return t < zone || t > 1.0 - zone;
+// An angle the edge's own tangent forces is not worth a knot; what is beyond it by this factor is.
+constexpr double kBeyondFloor = 1.25;
+
+bool isTooLarge(const analysis::AnglePlace& place, const analysis::FillReport& report, double aim) {
+  const double limit = place.inCorner ? report.cornerAngleLimit : report.angleLimit;
+  return place.angle > std::max(aim * limit, kBeyondFloor * place.floor);
 }
 
 }  // namespace
@@ -61,7 +65,8 @@ std::vector<analysis::SideTrace> sideTraces(const layout::PatchLayout& layout) {
 }
 
 std::vector<KnotWish> wishedKnots(const layout::PatchLayout& layout,
-                                  const analysis::FillReport& report) {
+                                  const analysis::FillReport& report,
+                                  double aim) {
   std::vector<KnotWish> wishes(layout.patches.size());
   std::vector<std::set<double>> u(layout.patches.size()), v(layout.patches.size());
   for (const analysis::SideTrace& trace : sideTraces(layout)) {
@@ -69,11 +74,9 @@ std::vector<KnotWish> wishedKnots(const layout::PatchLayout& layout,
     const analysis::SideReport& side = report.sides[static_cast<std::size_t>(trace.side)];
     if (side.asked == Continuity::G0) continue;
     const bool alongU = trace.start[1] == trace.end[1];
-    for (const auto& [t, angle] : side.angleCurve) {
-      const bool inCorner = isCornerPlace(t, 0.02);
-      if (angle <= (inCorner ? report.cornerAngleLimit : report.angleLimit)) continue;
-      const Eigen::Vector2d at =
-          trace.start + (trace.end - trace.start) * ((t - trace.from) / (trace.to - trace.from));
+    for (const analysis::AnglePlace& place : side.angleCurve) {
+      if (!isTooLarge(place, report, aim)) continue;
+      const Eigen::Vector2d at = trace.at(place.t);
       if (alongU)
         wishMiddle(layout.patches[p].u, at[0], u[p]);
       else

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "core/analysis/continuity_report.h"
+#include "core/analysis/measure_fill.h"
 #include "core/layout/layouts.h"
 
 namespace fairing {
@@ -10,10 +10,11 @@ namespace fairing {
 /// Where the sides run on the patches of a layout.
 [[nodiscard]] std::vector<analysis::SideTrace> sideTraces(const layout::PatchLayout& layout);
 
-/// The knots that would help most: the middle of every span next to which a side is over a limit of
-/// the report. Spans at corners whose twists disagree are halved again and again, which grades the
-/// knots towards them with ratio 1/2.
+/// The knots that would help most: the middle of every span next to which a side is over `aim`
+/// times a limit of the report, but for what is the edge's own fault. Spans at corners whose twists
+/// disagree are halved again and again, which grades the knots towards them with ratio 1/2.
 [[nodiscard]] std::vector<layout::KnotWish> wishedKnots(const layout::PatchLayout& layout,
-                                                        const analysis::FillReport& report);
+                                                        const analysis::FillReport& report,
+                                                        double aim);
 
 }  // namespace fairing

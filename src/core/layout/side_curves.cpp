@@ -35,14 +35,17 @@ spline::CurveFunction curveFunction(const DirectedSide& s) {
   };
 }
 
-// The curve with its knots moved onto those of `knots` they stand for: refinedTo() needs them equal to the last bit.
+// The curve with its knots moved onto those of `knots` they stand for: refinedTo() needs them equal
+// to the last bit.
 BsplineCurve snapped(const BsplineCurve& curve, const KnotVector& knots) {
   std::vector<double> moved = curve.knots.knots();
   const auto& targets = knots.knots();
   for (double& t : moved) {
     const auto above = std::lower_bound(targets.begin(), targets.end(), t);
-    if (above != targets.end() && *above - t <= kSameKnot) t = *above;
-    else if (above != targets.begin() && t - *(above - 1) <= kSameKnot) t = *(above - 1);
+    if (above != targets.end() && *above - t <= kSameKnot)
+      t = *above;
+    else if (above != targets.begin() && t - *(above - 1) <= kSameKnot)
+      t = *(above - 1);
   }
   return {KnotVector(curve.knots.degree(), std::move(moved)), curve.poles};
 }

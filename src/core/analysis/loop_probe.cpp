@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/analysis/side_samples.h"
+#include "core/analysis/loop_probe.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace fairing::analysis {
 namespace {
@@ -32,19 +35,45 @@ class ArcLength {
   std::vector<double> lengths_{0.0};
 };
 
-}  // namespace
+ProbePoint probe(const boundary::Ribbon& ribbon, double t, bool inCorner) {
+  const boundary::CurveSample curve = ribbon.curve(t);
+  ProbePoint p;
+  p.t = t;
+  p.inCorner = inCorner;
+  p.point = curve.point;
+  p.tangent = curve.derivative.normalized();
+  if (!ribbon.hasSupport() || t == 0.0 || t == 1.0) return p;
+  const boundary::SupportSample support = ribbon.support(t);
+  p.hasNormal = !support.singular;
+  if (!p.hasNormal) return p;
+  p.normal = support.normal;
+  const Eigen::Vector3d across = p.normal.cross(p.tangent).normalized();
+  p.curvature = across.dot(support.secondForm * across);
+  p.floor = std::asin(std::min(1.0, std::abs(p.normal.dot(p.tangent)))) * 180.0 / std::numbers::pi;
+  return p;
+}
 
-std::vector<SidePlace> sidePlaces(const boundary::Ribbon& ribbon, int inside, int corner) {
+std::vector<ProbePoint> probeSide(const boundary::Ribbon& ribbon, int inside, int corner) {
   const ArcLength length(ribbon);
-  std::vector<SidePlace> places;
+  std::vector<ProbePoint> points{probe(ribbon, 0.0, true)};
   const auto add = [&](double share, bool inCorner) {
-    places.push_back({length.parameterAt(share), inCorner});
+    points.push_back(probe(ribbon, length.parameterAt(share), inCorner));
   };
   for (int k = 0; k < corner; ++k) add(kCornerZone * (k + 0.5) / corner, true);
   for (int k = 0; k < inside; ++k)
     add(kCornerZone + (1.0 - 2.0 * kCornerZone) * (k + 0.5) / inside, false);
   for (int k = 0; k < corner; ++k) add(1.0 - kCornerZone * (corner - k - 0.5) / corner, true);
-  return places;
+  points.push_back(probe(ribbon, 1.0, true));
+  return points;
+}
+
+}  // namespace
+
+LoopProbe probeLoop(const boundary::BoundaryLoop& loop, int inside, int corner) {
+  LoopProbe probe;
+  for (const boundary::BoundarySide& side : loop.sides)
+    probe.sides.push_back(probeSide(side.ribbon, inside, corner));
+  return probe;
 }
 
 }  // namespace fairing::analysis

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/boundary/boundary_loop.h"
+
+namespace fairing::analysis {
+
+inline constexpr double kCornerZone = 0.02;  ///< share of a side's length next to either corner
+
+/// A place where a side is measured, with what the base says there. "Corner" places lie within
+/// kCornerZone of the length next to either end.
+struct ProbePoint {
+  double t = 0.0;  ///< side parameter
+  bool inCorner = false;
+  Eigen::Vector3d point, tangent;  ///< on the side; the tangent of unit length
+  bool hasNormal = false;  ///< the support has a normal here, and this is no end of the side
+  Eigen::Vector3d normal;  ///< of the support face, unit
+  double curvature = 0.0;  ///< normal curvature of the support face across the side, 1/mm
+  /// The edge's tangent leaves the support's tangent plane by this angle, degrees: no patch through
+  /// the edge comes closer.
+  double floor = 0.0;
+};
+
+/// Where every side of a loop is measured: once per loop, however many patches are tried.
+struct LoopProbe {
+  std::vector<std::vector<ProbePoint>> sides;
+};
+
+/// Places evenly spread over the arc length, `inside` between the corner zones and `corner` in
+/// either of them, ascending, and the two ends, which count for the gap alone: a corner belongs to
+/// two sides and has the normal of neither.
+[[nodiscard]] LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
+                                  int inside = 61,
+                                  int corner = 8);
+
+}  // namespace fairing::analysis

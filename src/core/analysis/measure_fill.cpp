@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/analysis/measure_fill.h"
+
+#include <Eigen/Geometry>
+
+#include "core/analysis/closest_point.h"
+#include "core/analysis/curvature.h"
+#include "core/base/assert.h"
+
+namespace fairing::analysis {
+namespace {
+
+const SideTrace& traceOf(const std::vector<SideTrace>& traces, std::size_t side, double t) {
+  for (const SideTrace& trace : traces)
+    if (trace.side == static_cast<int>(side) && t >= trace.from && t <= trace.to) return trace;
+  FAIRING_ASSERT(false && "every stretch of a side runs on a patch");
+  return traces.front();
+}
+
+}  // namespace
+
+FillReport measureFill(const boundary::BoundaryLoop& loop,
+                       const LoopProbe& probe,
+                       const std::vector<spline::BsplineSurface>& patches,
+                       const std::vector<SideTrace>& traces,
+                       const Tolerance& tolerance) {
+  return measureLoop(loop, probe, tolerance, [&](std::size_t side, const ProbePoint& p) {
+    const SideTrace& trace = traceOf(traces, side, p.t);
+    const Eigen::Vector2d guess = trace.at(p.t);
+    const SurfaceFoot foot =
+        closestPoint(patches[static_cast<std::size_t>(trace.patch)], p.point, guess[0], guess[1]);
+    const Eigen::Vector3d normal = foot.jet.normalVector().normalized();
+    return MeasuredFoot{foot.distance, normal, normalCurvature(foot.jet, normal.cross(p.tangent))};
+  });
+}
+
+}  // namespace fairing::analysis
