@@ -5,6 +5,4 @@ add_custom_target(addon ALL
           -P ${PROJECT_SOURCE_DIR}/cmake/AssembleAddon.cmake
   COMMENT "Assembling ${FAIRING_ADDON_DIR}"
 )
-if(TARGET _fairing)
-  add_dependencies(addon _fairing)
-endif()
+add_dependencies(addon _fairing)
