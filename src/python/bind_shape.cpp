@@ -34,7 +34,7 @@ template <class Parse>
 auto choice(Parse parse, const char* option, const std::string& word) {
   const auto found = parse(word);
   if (!found)
-    throw Failure({.code = ErrorCode::UnknownChoice, .detail = std::string(option) + " " + word});
+    throw Failure({.code = ErrorCode::UnknownChoice, .detail = "\"" + word + "\" for " + option});
   return *found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "python/fill_mesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace fairing::python {

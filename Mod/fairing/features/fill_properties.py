@@ -102,15 +102,15 @@ def write_report(obj: App.DocumentObject, fill) -> None:
     sides = report["sides"]
     obj.Verdict = fill.verdict
     obj.WithinTolerance = fill.within_tolerance
-    obj.LargestGap = report["largestGap"]
-    obj.LargestAngle = report["largestAngle"]
-    obj.LargestCornerAngle = report["largestCornerAngle"]
+    obj.LargestGap = report["largest_gap"]
+    obj.LargestAngle = report["largest_angle"]
+    obj.LargestCornerAngle = report["largest_corner_angle"]
     obj.ReportEdges = [f"Edge{side['edge']}" for side in sides]
     obj.EdgeGaps = [side["gap"]["max"] for side in sides]
     obj.EdgeAngles = [side["angle"]["max"] for side in sides]
-    obj.EdgeCornerAngles = [side["cornerAngle"]["max"] for side in sides]
+    obj.EdgeCornerAngles = [side["corner_angle"]["max"] for side in sides]
     obj.EdgeCurvatures = [side["curvature"]["max"] for side in sides]
-    obj.Poles = report["poles"]
+    obj.Poles = report["solve"]["poles"]
     obj.FilledArea = report["fairness"]["area"]
 
 

@@ -28,7 +28,7 @@ class BoundaryTable(QtCore.QObject):
         for column in range(widget.columnCount()):
             header.setSectionResizeMode(column, QtGui.QHeaderView.ResizeToContents)
         header.setSectionResizeMode(ANGLE, QtGui.QHeaderView.Stretch)
-        widget.verticalHeader().setDefaultSectionSize(26)
+        widget.verticalHeader().setDefaultSectionSize(24)
         widget.setIconSize(QtCore.QSize(14, 14))
 
     def show_loop(self, loop: list[dict], request: FillRequest) -> None:
@@ -101,19 +101,19 @@ class BoundaryTable(QtCore.QObject):
 def _angle_of(side: dict) -> str:
     if side["face"] == 0:
         return "\u2013"
-    return angle_text(max(side["angle"]["max"], side["cornerAngle"]["max"]))
+    return angle_text(max(side["angle"]["max"], side["corner_angle"]["max"]))
 
 
 def _explanation(side: dict, report: dict) -> str:
     """Everything measured along one side, with the limits."""
     lines = [translate("Fairing", "Gap {0}, allowed {1}").format(length_text(side["gap"]["max"]),
-                                                                length_text(report["gapLimit"]))]
+                                                                length_text(report["limits"]["gap"]))]
     if side["face"]:
         lines += [
             translate("Fairing", "Angle {0}, allowed {1}").format(angle_text(side["angle"]["max"]),
-                                                                  angle_text(report["angleLimit"])),
+                                                                  angle_text(report["limits"]["angle"])),
             translate("Fairing", "Angle next to the corners {0}, allowed {1}").format(
-                angle_text(side["cornerAngle"]["max"]), angle_text(report["cornerAngleLimit"])),
+                angle_text(side["corner_angle"]["max"]), angle_text(report["limits"]["corner_angle"])),
             translate("Fairing", "Curvature differs by {0:.0%}").format(side["curvature"]["max"]),
         ]
     if side["backwards"]:

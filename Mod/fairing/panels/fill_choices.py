@@ -44,6 +44,13 @@ class FillChoices(QtCore.QObject):
         names = list(kept[1]) if kept and kept[0] is obj else []
         self._set_guide((obj, names + [name] if name not in names else names))
 
+    def show_limits(self, limits: dict) -> None:
+        """What an automatic limit came to."""
+        if self._ui.gapAutoCheck.isChecked():
+            self._ui.gapSpin.blockSignals(True)
+            self._ui.gapSpin.setProperty("value", App.Units.Quantity(limits["gap"], App.Units.Length))
+            self._ui.gapSpin.blockSignals(False)
+
     def _show(self) -> None:
         ui, request = self._ui, self._session.request
         ui.energyCombo.setCurrentIndex(ENERGIES.index(request.energy))
@@ -89,8 +96,8 @@ class FillChoices(QtCore.QObject):
         """What depends on other choices: sentences, labels, what is enabled."""
         ui, reference = self._ui, self._session.reference
         ui.energyHint.setText((
-            translate("Fairing", "Bends as little as possible: the usual choice."),
-            translate("Fairing", "Stretches as little as possible, like a soap film."),
+            translate("Fairing", "Bends as little as possible."),
+            translate("Fairing", "Stretches as little as possible."),
         )[ui.energyCombo.currentIndex()])
         ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
         ui.guideButton.setText(

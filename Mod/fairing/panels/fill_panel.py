@@ -4,24 +4,28 @@
 from __future__ import annotations
 
 import contextlib
-from typing import Optional
+import time
+from typing import Callable, Optional
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import native, paths, selection, settings, subelements
+from .. import native, paths, selection, settings
+from ..fill_request import CONTINUITIES
 from ..translation import translate
 from . import status
 from .background import BackgroundSolver
 from .boundary_table import BoundaryTable
 from .fill_choices import FillChoices
+from .fill_display import FillDisplay
 from .fill_session import FillSession
 from .picking import ClosingDocument, EscapeKey, Picking
-from .preview import Preview
 from .status import Status
 
 LONGEST_STOP = 2.0  # s, what closing waits for a solve that was told to stop
+SHOWS_PROGRESS_AFTER = 0.15  # s: a bar that only flashes up is noise
+NARROWEST = 320  # pixels the panel needs beside the buttons
 
 
 class FillPanel:
@@ -29,7 +33,7 @@ class FillPanel:
 
     @classmethod
     def show(cls, picks: Optional[selection.Picks] = None, obj: Optional[App.DocumentObject] = None) -> bool:
-        """Shows the panel for a new fill, or to edit one. False, with a message, where that cannot be."""
+        """Opens the panel for a new fill, or to edit one. False, with a message, where that cannot be."""
         problem = native.problem()
         if problem:
             from ..commands.fill_hole import show_problem
@@ -37,30 +41,34 @@ class FillPanel:
             show_problem(problem)
             return False
         session = FillSession.of_object(obj) if obj else FillSession(App.ActiveDocument, settings.new_request())
-        Gui.Control.showDialog(cls(session, picks))
+        if picks:
+            session.pick(picks.base, picks.names)
+        panel = cls(session)
+        Gui.Control.showDialog(panel)
+        QtCore.QTimer.singleShot(0, panel._make_room)
         return True
 
-    def __init__(self, session: FillSession, picks: Optional[selection.Picks] = None):
+    def __init__(self, session: FillSession):
         self._session = session
         self._fill = None  # the native result of the session's request, once it is there
-        self._accept_when_done = False
+        self._then: Optional[Callable[[], object]] = None  # what waits for it: OK or Apply
+        self._shown_loop: Optional[list[int]] = None
+        self._started = 0.0
         self._is_closed = False
         self._ui = Gui.PySideUic.loadUi(paths.form("fill_hole.ui"))
         self.form = [self._ui.boundaryBox, self._ui.shapeBox, self._ui.resultBox]  # a task box each
         for box in self.form:
             box.setWindowIcon(QtGui.QIcon(paths.icon("Fairing_FillHole.svg")))
-        self._view = Gui.getDocument(session.document.Name).ActiveView
-        self._preview = Preview(self._view, settings.patch_color())
+        view = Gui.getDocument(session.document.Name).ActiveView
         self._solver = BackgroundSolver(native.module().Progress, self._solved, self._progressed, self._ui)
         self._table = BoundaryTable(self._ui.boundaryTable)
         self._choices = FillChoices(self._ui, session)
+        self._display = FillDisplay(view, session, self._label_clicked, self._table.select)
         self._connect()
         self._hide_object()
         self._picking = Picking(session.document, self._picked, session.obj)
-        self._escape = EscapeKey(self._view, self._cancel)
+        self._escape = EscapeKey(view, self._escaped)
         self._closing = ClosingDocument(session.document, self._document_closed)
-        if picks:
-            session.pick(picks.base, picks.names)
         self._refresh()
 
     # --- called by FreeCAD ---
@@ -73,14 +81,13 @@ class FillPanel:
             return buttons  # PySide6
 
     def clicked(self, button) -> None:
-        if button == QtGui.QDialogButtonBox.Apply or getattr(button, "value", button) == 0x02000000:
+        if int(getattr(button, "value", button)) == int(getattr(QtGui.QDialogButtonBox.Apply, "value",
+                                                                QtGui.QDialogButtonBox.Apply)):
             self._apply()
 
     def accept(self) -> bool:
-        """OK: at once when the preview is there, else as soon as it is."""
-        if not self._is_ready():
-            return False
-        if not self._commit():
+        """OK: at once when the surface is there, else as soon as it is."""
+        if not self._is_ready(self.accept) or not self._commit():
             return False
         self._close()
         return True
@@ -101,6 +108,8 @@ class FillPanel:
         ui.previewCheck.setChecked(settings.shows_preview())
         ui.previewCheck.toggled.connect(self._refresh)
         ui.labelsCheck.setChecked(settings.shows_labels())
+        ui.labelsCheck.toggled.connect(self._display.show_labels)
+        self._display.show_labels(ui.labelsCheck.isChecked())
         for widget in (ui.progressBar, ui.stopButton):
             keep = widget.sizePolicy()
             keep.setRetainSizeWhenHidden(True)  # nothing jumps while computing
@@ -111,14 +120,18 @@ class FillPanel:
         if self._choices.is_picking_guide:
             self._choices.guide_picked(obj, name)
             return
-        if not selection.has_shape(obj):
-            return
         edge = self._session.edge_in_loop(name) if obj is self._session.base else 0
         if edge:
             self._table.select(edge)
-            return
-        self._session.pick(obj, [name])
-        self._refresh()
+        elif selection.has_shape(obj):
+            self._session.pick(obj, [name])
+            self._refresh()
+
+    def _label_clicked(self, edge: int, with_shift: bool) -> None:
+        """The next continuity, for all edges with shift. Later, since the label under the mouse is made anew."""
+        current = self._session.request.continuity_of(edge)
+        word = CONTINUITIES[(CONTINUITIES.index(current) + 1) % len(CONTINUITIES)]
+        QtCore.QTimer.singleShot(0, lambda: self._set_continuity(word, None if with_shift else edge))
 
     def _set_continuity(self, word: str, edge: Optional[int] = None) -> None:
         self._session.set_continuity(word, edge)
@@ -129,79 +142,84 @@ class FillPanel:
         self._refresh()
 
     def _stop(self) -> None:
-        self._solver.cancel()
-        self._accept_when_done = False
-        self._set_busy(False)
-        self._say(Status.UNKNOWN, translate("Fairing", "Stopped. Change something to compute again."))
+        self._idle()
+        self._show_unsolved(translate("Fairing", "Stopped. Change something, or press OK, to compute again."))
 
-    def _cancel(self) -> None:
+    def _escaped(self) -> None:
         if not self._is_closed:
             self.reject()
 
     def _apply(self) -> None:
-        if self._is_ready() and self._commit():
+        if self._is_ready(self._apply) and self._commit():
             self._hide_object()
 
     # --- computing ---
 
     def _refresh(self, *_) -> None:
         """Something changed: find the hole, show it, and have its surface computed."""
+        session, ui = self._session, self._ui
         self._fill = None
-        self._session.find_loop()
-        self._preview.place(self._session.placement)
-        self._table.show_loop(self._session.loop, self._session.request)
-        has_picks = bool(self._session.request.edges or self._session.request.faces)
-        self._ui.promptLabel.setVisible(not has_picks)
-        for widget in (self._ui.allG1Button, self._ui.allG0Button, self._ui.clearButton):
+        session.find_loop()
+        self._table.show_loop(session.loop, session.request)
+        has_picks = bool(session.request.edges or session.request.faces)
+        ui.promptLabel.setVisible(not has_picks)
+        for widget in (ui.allG1Button, ui.allG0Button, ui.clearButton):
             widget.setEnabled(has_picks)
-        if self._session.problem:
-            self._solver.cancel()
-            self._set_busy(False)
-            self._fail(self._session.problem if has_picks else "")
-        elif self._ui.previewCheck.isChecked() or self._accept_when_done:
+        edges = [side["edge"] for side in session.loop]
+        if edges != self._shown_loop:
+            self._shown_loop = edges
+            self._show_unsolved("")
+        if session.problem:
+            self._idle()
+            self._show_unsolved(session.problem if has_picks else "", Status.BAD)
+        elif ui.previewCheck.isChecked() or self._then:
             self._solve()
         else:
-            self._solver.cancel()
-            self._set_busy(False)
+            self._idle()
             self._show_unsolved(translate("Fairing", "The preview is off."))
 
     def _solve(self) -> None:
-        self._set_busy(True)
-        self._draw_edges(None)
+        self._started = time.monotonic()
         self._solver.request(self._session.job())
 
+    def _progressed(self, fraction: float) -> None:
+        if time.monotonic() - self._started > SHOWS_PROGRESS_AFTER:
+            self._show_busy(True)
+            self._ui.progressBar.setValue(round(fraction * self._ui.progressBar.maximum()))
+
     def _solved(self, value, error) -> None:
-        self._set_busy(False)
+        self._show_busy(False)
+        then, self._then = self._then, None
         if error is not None:
-            self._accept_when_done = False
-            self._fail(str(error))
+            self._show_unsolved(str(error), Status.BAD)
             return
         self._fill, mesh = value
-        self._preview.show_surface(mesh)
-        self._table.show_report(self._fill.report)
-        self._draw_edges(self._fill.report)
+        report = self._fill.report
+        self._display.show_fill(report, mesh)
+        self._table.show_report(report)
+        self._choices.show_limits(report["limits"])
         self._say(status.of_fill(self._fill), self._fill.verdict)
-        if self._accept_when_done:
-            self._accept_when_done = False
-            self.accept()
+        if then:
+            then()
 
-    def _progressed(self, fraction: float) -> None:
-        self._ui.progressBar.setValue(round(fraction * self._ui.progressBar.maximum()))
+    def _idle(self) -> None:
+        self._solver.cancel()
+        self._then = None
+        self._show_busy(False)
 
-    def _is_ready(self) -> bool:
-        """Whether the result is there; asks for it otherwise, and for OK to be pressed then."""
-        if self._fill is not None:
-            return True
-        if not self._session.problem:
-            self._accept_when_done = True
-            self._solve()
-        return False
+    def _is_ready(self, then: Callable[[], object]) -> bool:
+        """Whether the surface is there; if not, `then` is called when it is."""
+        if self._fill is None and not self._session.problem:
+            self._then = then
+            if not self._solver.is_busy:
+                self._solve()
+        return self._fill is not None
 
     def _commit(self) -> bool:
         try:
             self._session.commit()
-        except Exception as error:  # shown in the panel: whatever it was, the document is unchanged
-            self._fail(str(error))
+        except Exception as error:  # whatever it was: the document is as before, and the panel says why
+            self._show_unsolved(str(error), Status.BAD)
             return False
         return True
 
@@ -209,27 +227,17 @@ class FillPanel:
 
     def _say(self, sign: Status, text: str) -> None:
         self._ui.verdictIcon.setPixmap(sign.pixmap(16) if text else QtGui.QPixmap())
-        self._ui.verdictLabel.setText(text)
         label = self._ui.verdictLabel
+        label.setText(text)
         label.setStyleSheet(f"color: {sign.text_color(label.palette())}" if sign is Status.BAD else "")
 
-    def _fail(self, sentence: str) -> None:
-        self._fill = None
-        self._show_unsolved(sentence, Status.BAD)
-
     def _show_unsolved(self, text: str, sign: Status = Status.UNKNOWN) -> None:
-        self._preview.hide_surface()
+        self._fill = None
+        self._display.show_unsolved()
         self._table.show_report(None)
-        self._draw_edges(None)
         self._say(sign, text)
 
-    def _draw_edges(self, report) -> None:
-        measured = {side["edge"]: side for side in report["sides"]} if report else {}
-        signs = [status.of_side(measured.get(side["edge"]), report) for side in self._session.loop]
-        self._preview.show_edges([side["points"] for side in self._session.loop], [sign.rgb for sign in signs])
-
-    def _set_busy(self, busy: bool) -> None:
-        self._ui.progressBar.setValue(0)
+    def _show_busy(self, busy: bool) -> None:
         self._ui.progressBar.setVisible(busy)
         self._ui.stopButton.setVisible(busy)
 
@@ -238,17 +246,24 @@ class FillPanel:
         if self._session.obj:
             self._session.obj.ViewObject.Visibility = False
 
+    def _make_room(self) -> None:
+        """A dock too narrow for the buttons is widened: nothing of the panel is cut off."""
+        window = Gui.getMainWindow()
+        for dock in window.findChildren(QtGui.QDockWidget):
+            if not self._is_closed and dock.isAncestorOf(self._ui.boundaryTable) and dock.width() < NARROWEST:
+                window.resizeDocks([dock], [NARROWEST], QtCore.Qt.Horizontal)
+
     # --- closing ---
 
     def _close(self) -> None:
         """Takes away everything the panel has put up."""
         document = self._session.document
         self._detach()
-        self._preview.remove()
+        self._display.remove()
         if self._session.obj:
             self._session.obj.ViewObject.Visibility = True
         Gui.Control.closeDialog()
-        with contextlib.suppress(NameError):
+        with contextlib.suppress(NameError):  # FreeCAD's word for a document without a window
             Gui.getDocument(document.Name).resetEdit()
 
     def _document_closed(self) -> None:

@@ -21,3 +21,10 @@ def angle_text(degrees: float) -> str:
         return "0\u00b0"
     figures = max(0, 1 - math.floor(math.log10(degrees)))
     return f"{degrees:.{figures}f}\u00b0"
+
+
+def deviation_text(side: dict) -> str:
+    """What a side misses most plainly: its angle, or its gap where it is only touched."""
+    if side["asked"] == "G0":
+        return length_text(side["gap"]["max"])
+    return angle_text(max(side["angle"]["max"], side["corner_angle"]["max"]))

@@ -54,12 +54,12 @@ def of_side(side: Optional[dict], report: Optional[dict]) -> Status:
     """Of one side of a report; unknown without one."""
     if side is None:
         return Status.UNKNOWN
-    if side["withinTolerance"]:
+    if side["within_tolerance"]:
         return Status.GOOD
-    excess = [side["gap"]["max"] / report["gapLimit"]]
+    limits = report["limits"]
+    excess = [side["gap"]["max"] / limits["gap"]]
     if side["asked"] != "G0":
-        excess.append(side["angle"]["max"] / report["angleLimit"])
-        excess.append(side["cornerAngle"]["max"] / report["cornerAngleLimit"])
+        excess += [side[what]["max"] / limits[what] for what in ("angle", "corner_angle")]
     return Status.NEARLY if max(excess) <= NEARLY and not side["backwards"] else Status.BAD
 
 

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fairing's native module: holes of shapes filled with B-spline faces. Lengths in mm, angles in degrees."""
+
+from typing import Any, Mapping, Optional, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+__version__: str
+occt_version: str
+
+class FairingError(ValueError):
+    code: str
+    edge: int
+    face: int
+    value: float
+    where: Optional[tuple[float, float, float]]
+
+class Progress:
+    def __init__(self) -> None: ...
+    def abort(self) -> None: ...
+    @property
+    def aborted(self) -> bool: ...
+    @property
+    def fraction(self) -> float: ...
+
+class Fill:
+    def brep(self) -> bytes: ...
+    def mesh(
+        self, divisions: int = 32
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int32]]: ...
+    @property
+    def report(self) -> dict[str, Any]: ...
+    @property
+    def table(self) -> str: ...
+    @property
+    def verdict(self) -> str: ...
+    @property
+    def within_tolerance(self) -> bool: ...
+
+class Shape:
+    def __init__(self, data: bytes) -> None: ...
+    @property
+    def edge_count(self) -> int: ...
+    @property
+    def face_count(self) -> int: ...
+    def holes(self, outer_borders: bool = False) -> list[list[int]]: ...
+    def find_loop(self, edges: Sequence[int] = [], faces: Sequence[int] = []) -> list[int]: ...
+    def boundary(
+        self,
+        edges: Sequence[int] = [],
+        faces: Sequence[int] = [],
+        continuity: str = "G1",
+        edge_continuity: Mapping[int, str] = {},
+    ) -> list[dict[str, Any]]: ...
+    def fill(
+        self,
+        edges: Sequence[int] = [],
+        faces: Sequence[int] = [],
+        continuity: str = "G1",
+        edge_continuity: Mapping[int, str] = {},
+        layout: str = "auto",
+        energy: str = "thin-plate",
+        lambda_: float = 0.0,
+        gamma: float = 0.0,
+        reference: Optional[bytes] = None,
+        guide: Sequence[Mapping[str, Any]] = [],
+        tolerance: Optional[float] = None,
+        angle: float = 0.02,
+        degree: int = 0,
+        max_poles: int = 10000,
+        result: str = "patches",
+        progress: Optional[Progress] = None,
+    ) -> Fill: ...
+    def measure(
+        self,
+        patches: Shape,
+        edges: Sequence[int] = [],
+        faces: Sequence[int] = [],
+        continuity: str = "G1",
+        edge_continuity: Mapping[int, str] = {},
+        tolerance: Optional[float] = None,
+        angle: float = 0.02,
+    ) -> dict[str, Any]: ...

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A user's hands and eyes for the tests in FreeCAD's window: mouse, keys, buttons, patience, pictures."""
+
+import os
+import subprocess
+import time
+
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+PATIENCE = 20.0  # s, before a wait fails
+OUTPUT = os.environ["FAIRING_OUTPUT"]
+
+
+def pump(seconds=0.1):
+    """Lets FreeCAD's event loop run."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+        time.sleep(0.005)
+
+
+def wait_for(condition, what):
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < end, f"waited {PATIENCE} s for {what}"
+        pump(0.02)
+
+
+def start():
+    """The window as a user has it: tree and tasks shown, Fairing chosen."""
+    window = Gui.getMainWindow()
+    window.resize(1280, 900)
+    window.move(0, 0)
+    for dock in window.findChildren(QtGui.QDockWidget):
+        dock.setVisible(dock.objectName() in ("Combo View", "Model", "Tasks"))
+    Gui.activateWorkbench("FairingWorkbench")
+    pump(0.3)
+
+
+def look_at_all():
+    view = Gui.ActiveDocument.ActiveView
+    view.setAnimationEnabled(False)
+    view.viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    pump(0.5)
+    return view
+
+
+def widget(name):
+    """A widget of the panel by its name in the form."""
+    found = [child for child in Gui.getMainWindow().findChildren(QtGui.QWidget, name)]
+    assert found, f"there is no {name}"
+    return found[-1]
+
+
+def press(kind):
+    """OK, Cancel or Apply of the open panel."""
+    for box in Gui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
+        button = box.button(getattr(QtGui.QDialogButtonBox, kind))
+        if button is not None and button.isVisible():
+            button.click()
+            pump(0.1)
+            return
+    raise AssertionError(f"no button {kind} to press")
+
+
+def action_is_enabled(name):
+    pump(0.5)  # FreeCAD looks at its commands every 300 ms
+    actions = [action for action in Gui.getMainWindow().findChildren(QtGui.QAction) if action.objectName() == name]
+    assert actions, f"no action {name}"
+    return actions[0].isEnabled()
+
+
+def panel_is_open():
+    return bool(Gui.Control.activeDialog())
+
+
+def verdict():
+    return widget("verdictLabel").text()
+
+
+def wait_for_verdict(start="Meets"):
+    wait_for(lambda: verdict().startswith(start), f"a verdict '{start}...', there is '{verdict()}'")
+
+
+def key(name):
+    subprocess.check_call(["xdotool", "key", name])
+    pump(0.2)
+
+
+def click(view, point, modifier=None):
+    """A click of the real mouse onto a point of the model."""
+    x, y = _window_position(view, point)
+    window = str(int(Gui.getMainWindow().winId()))
+    subprocess.check_call(["xdotool", "mousemove", "--window", window, str(x - 3), str(y - 3)])
+    pump(0.2)
+    subprocess.check_call(["xdotool", "mousemove", "--window", window, str(x), str(y)])
+    pump(0.3)
+    hold = ["keydown", modifier] if modifier else []
+    subprocess.check_call(["xdotool", *hold, "click", "1", *(["keyup", modifier] if modifier else [])])
+    pump(0.4)
+
+
+def picture(name):
+    """The whole screen, left among the pictures of the build for people to look at."""
+    Gui.updateGui()
+    pump(0.2)
+    assert QtGui.QApplication.primaryScreen().grabWindow(0).save(os.path.join(OUTPUT, name + ".png"))
+
+
+def _window_position(view, point):
+    on_view = getattr(view, "getPointOnViewport", view.getPointOnScreen)  # renamed after 0.20
+    x, y = on_view(point)
+    drawn = [child for child in Gui.getMainWindow().findChildren(QtGui.QWidget)
+             if child.metaObject().className() in ("SIM::Coin3D::Quarter::QuarterWidget", "QOpenGLWidget",
+                                                   "CustomGLWidget") and child.isVisible()][-1]
+    place = drawn.mapTo(Gui.getMainWindow(), QtCore.QPoint(int(x), int(drawn.height() - y)))
+    return place.x(), place.y()
