@@ -53,8 +53,6 @@ EdgeSupport::EdgeSupport(const TopoDS_Face& face,
       const gp_Pnt2d uv = pcurve_.Value(t);
       landmarks_.push_back({t, fromOcct(surface_.Value(uv.X(), uv.Y()))});
     }
-  } else if (BRep_Tool::SameParameter(use)) {
-    trust_ = BRep_Tool::Tolerance(use);
   }
 }
 
@@ -112,7 +110,8 @@ SupportSample EdgeSupport::at(double parameter, const Vector3d& point) const {
   try {
     const gp_Pnt2d uv = start(parameter, point);
     SurfacePoint foot = evaluate(surface_, uv.X(), uv.Y());
-    if ((foot.point - point).norm() > trust_) foot = footFrom(surface_, point, foot, kEverywhere);
+    if ((foot.point - point).norm() > Precision::Confusion())
+      foot = footFrom(surface_, point, foot, kEverywhere);
     if (!foot.point.allFinite()) return noSupport(point);
     return foot.isRegular() ? sample(foot) : limit(parameter, foot);
   } catch (const Standard_Failure&) {

@@ -30,10 +30,9 @@ class EdgeSupport {
   /// `use` is the edge in the border of `face`.
   EdgeSupport(const TopoDS_Face& face, const TopoDS_Edge& use, EdgeMatch match, NormalSense sense);
 
-  /// The support at the edge's parameter, where the 3D edge is at `point`. The pcurve's foot is
-  /// trusted within the edge's tolerance; where edge and pcurve disagree by more, the point is
-  /// projected onto the surface from there. Where the surface has no normal, the limit from within
-  /// the face is taken; without a limit: singular.
+  /// The support at the edge's parameter, where the 3D edge is at `point`: the point's foot on the
+  /// surface, found from the pcurve. Where the surface has no normal, the limit from within the
+  /// face is taken; without a limit: singular.
   [[nodiscard]] boundary::SupportSample at(double parameter, const Eigen::Vector3d& point) const;
 
  private:
@@ -46,7 +45,6 @@ class EdgeSupport {
   TopoDS_Face face_;
   double edgeFirst_ = 0.0, edgeLast_ = 1.0;      ///< parameters of the 3D edge
   double pcurveFirst_ = 0.0, pcurveLast_ = 1.0;  ///< the same on the pcurve; equal for sound edges
-  double trust_ = 0.0;                           ///< mm
   double normalSign_ = 1.0;
   double insideSign_ = 1.0;  ///< +1: the face lies to the left of the pcurve in (u, v)
   struct Landmark {
