@@ -162,4 +162,23 @@ std::optional<spline::BsplineCurve> polynomialCurve(const TopoDS_Edge& edge, Dir
   }
 }
 
+std::vector<boundary::CurveBreak> curveBreaks(const TopoDS_Edge& edge, Direction direction) {
+  std::vector<boundary::CurveBreak> breaks;
+  try {
+    const Handle(Geom_BSplineCurve) spline = cutBspline(edge);
+    if (spline.IsNull()) return breaks;
+    const double first = spline->FirstParameter();
+    const double range = spline->LastParameter() - first;
+    for (int i = spline->FirstUKnotIndex() + 1; i < spline->LastUKnotIndex(); ++i) {
+      const double t = (spline->Knot(i) - first) / range;
+      breaks.push_back({direction == Direction::Forward ? t : 1.0 - t,
+                        spline->Degree() - spline->Multiplicity(i)});
+    }
+    if (direction == Direction::Backward) std::reverse(breaks.begin(), breaks.end());
+  } catch (const Standard_Failure&) {
+    breaks.clear();
+  }
+  return breaks;
+}
+
 }  // namespace fairing::occt

@@ -35,4 +35,8 @@ class EdgeCurve {
 [[nodiscard]] std::optional<spline::BsplineCurve> polynomialCurve(const TopoDS_Edge& edge,
                                                                   Direction direction);
 
+/// The inner knots of an edge that lies on a B-spline curve, over [0, 1] in the given direction.
+[[nodiscard]] std::vector<boundary::CurveBreak> curveBreaks(const TopoDS_Edge& edge,
+                                                            Direction direction);
+
 }  // namespace fairing::occt

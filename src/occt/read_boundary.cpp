@@ -31,6 +31,7 @@ Ribbon makeRibbon(const ShapeIndex& index, const BorderEdge& border, Direction d
   Ribbon ribbon;
   ribbon.curve = [beside](double t) { return beside->curve.at(t); };
   ribbon.polynomial = polynomialCurve(edge, direction);
+  if (!ribbon.polynomial) ribbon.breaks = curveBreaks(edge, direction);
   if (border.support) {
     const bool turned = border.heading && *border.heading != direction;
     beside->support.emplace(index.face(border.support->face),

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/spline/bspline_curve.h"
 #include "core/spline/fit_curve.h"
@@ -24,6 +25,12 @@ struct SupportSample {
   bool singular = false;  ///< no normal here, nor a limit
 };
 
+/// A parameter where a curve is less smooth than elsewhere.
+struct CurveBreak {
+  double t = 0.0;
+  int continuity = 1;  ///< number of continuous derivatives
+};
+
 /// What one edge of the hole hands over to the patches: a curve and, where a face lies beside it,
 /// that face's normals along the curve. t runs over [0, 1] in the direction of the loop.
 struct Ribbon {
@@ -31,6 +38,8 @@ struct Ribbon {
   /// The curve itself where it is a polynomial B-spline (clamped, domain [0, 1], at least C1):
   /// taken over exactly.
   std::optional<spline::BsplineCurve> polynomial;
+  /// Inner breaks of a curve that is not polynomial (the knots of a rational one), ascending.
+  std::vector<CurveBreak> breaks;
   /// Empty where the edge has no face beside it.
   std::function<SupportSample(double t)> support;
 

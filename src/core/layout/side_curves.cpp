@@ -61,6 +61,16 @@ int chooseDegree(const std::vector<BsplineCurve>& exact, int wish) {
   return kPreferredDegree;
 }
 
+// The knots a fit needs from the start: a spline of degree p is C^k at a knot of multiplicity p -
+// k. At least C1, since a patch must not be creased along an isoline.
+KnotVector breakKnots(const DirectedSide& s, int degree) {
+  KnotVector knots = KnotVector::bezier(degree);
+  for (const boundary::CurveBreak& b : s.side->ribbon.breaks)
+    for (int k = std::max(1, b.continuity); k < degree; ++k)
+      knots = knots.withKnot(s.reversed ? 1.0 - b.t : b.t);
+  return knots;
+}
+
 // Adds the middle of every span whose fit is over tolerance. False where nothing was added.
 bool bisectBadSpans(KnotVector& knots, const std::vector<double>& spanErrors, double tolerance) {
   const std::vector<double> breaks = knots.breaks();
@@ -93,6 +103,7 @@ KnotVector chooseKnots(const std::vector<DirectedSide>& sides,
     knots = merged(knots, c.knots.raised(p - c.knots.degree()), kSameKnot);
   for (const DirectedSide& s : others) {
     const spline::CurveFunction given = curveFunction(s);
+    knots = merged(knots, breakKnots(s, p), kSameKnot);
     while (knots.poleCount() < maxPoles &&
            bisectBadSpans(knots, spline::fitCurve(given, knots).spanErrors, fitTolerance)) {
     }
