@@ -17,12 +17,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Partials {
-  explicit Partials(const Eigen::Matrix3Xd& all) : all_(all) {}
+struct Jet3 {
+  explicit Jet3(const spline::Partials& all) : all_(all) {}
   [[nodiscard]] Vector3d operator()(int a, int b) const { return all_.col(4 * a + b); }
 
  private:
-  const Eigen::Matrix3Xd& all_;
+  const spline::Partials& all_;
 };
 
 // Value of a quantity and its derivatives along u and v.
@@ -35,14 +35,14 @@ Jet1 product(const Jet1& a, const Jet1& b) {
 }
 
 // R_(a,b) . R_(c,d) with its derivatives.
-Jet1 dot(const Partials& r, int a, int b, int c, int d) {
+Jet1 dot(const Jet3& r, int a, int b, int c, int d) {
   return {r(a, b).dot(r(c, d)),
           r(a + 1, b).dot(r(c, d)) + r(a, b).dot(r(c + 1, d)),
           r(a, b + 1).dot(r(c, d)) + r(a, b).dot(r(c, d + 1))};
 }
 
 // (R_u x R_v) . R_(a,b) with its derivatives.
-Jet1 height(const Partials& r, int a, int b) {
+Jet1 height(const Jet3& r, int a, int b) {
   const Vector3d m = r(1, 0).cross(r(0, 1));
   const Vector3d mu = r(2, 0).cross(r(0, 1)) + r(1, 0).cross(r(1, 1));
   const Vector3d mv = r(1, 1).cross(r(0, 1)) + r(1, 0).cross(r(0, 2));
@@ -50,15 +50,8 @@ Jet1 height(const Partials& r, int a, int b) {
       m.dot(r(a, b)), mu.dot(r(a, b)) + m.dot(r(a + 1, b)), mv.dot(r(a, b)) + m.dot(r(a, b + 1))};
 }
 
-}  // namespace
-
-double Curvature::largest() const {
-  return std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
-}
-
-Curvature curvatureAt(const spline::BsplineSurface& surface, double s, double t) {
-  const Eigen::Matrix3Xd all = surface.derivatives(s, t, 3);
-  const Partials r(all);
+Curvature curvatureFrom(const spline::Partials& partials) {
+  const Jet3 r(partials);
   const Jet1 e = dot(r, 1, 0, 1, 0), f = dot(r, 1, 0, 0, 1), g = dot(r, 0, 1, 0, 1);
   const Jet1 l = height(r, 2, 0), m = height(r, 1, 1), n = height(r, 0, 2);
   const Jet1 en = product(e, n), fm = product(f, m), gl = product(g, l);
@@ -76,6 +69,29 @@ Curvature curvatureAt(const spline::BsplineSurface& surface, double s, double t)
   return c;
 }
 
+// A quadrature point of one direction with its basis functions, evaluated once for the whole grid.
+struct GridPoint {
+  double weight;
+  spline::BasisRow basis;
+};
+
+std::vector<GridPoint> gridLine(const spline::KnotVector& knots, int points) {
+  std::vector<GridPoint> line;
+  for (const auto& q : spline::gaussLegendre(points, knots))
+    line.push_back({q.weight, spline::basisRow(knots, q.parameter, 3)});
+  return line;
+}
+
+}  // namespace
+
+double Curvature::largest() const {
+  return std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
+}
+
+Curvature curvatureAt(const spline::BsplineSurface& surface, double s, double t) {
+  return curvatureFrom(surface.derivatives(s, t, 3));
+}
+
 double normalCurvature(const spline::SurfaceJet& jet, const Vector3d& direction) {
   Eigen::Matrix2d metric;
   metric << jet.u.dot(jet.u), jet.u.dot(jet.v), jet.u.dot(jet.v), jet.v.dot(jet.v);
@@ -91,10 +107,10 @@ FairnessReport measureFairness(const std::vector<spline::BsplineSurface>& patche
   FairnessReport report;
   constexpr int kPoints = 3;  // a span: integrands are rational, figures good to about 1e-3
   for (const spline::BsplineSurface& patch : patches) {
-    const auto alongV = spline::gaussLegendre(kPoints, patch.v);
-    for (const auto& qu : spline::gaussLegendre(kPoints, patch.u))
-      for (const auto& qv : alongV) {
-        const Curvature c = curvatureAt(patch, qu.parameter, qv.parameter);
+    const auto alongU = gridLine(patch.u, kPoints), alongV = gridLine(patch.v, kPoints);
+    for (const GridPoint& qu : alongU)
+      for (const GridPoint& qv : alongV) {
+        const Curvature c = curvatureFrom(patch.derivatives(qu.basis, qv.basis, 3));
         const double area = qu.weight * qv.weight * c.areaElement;
         if (!std::isfinite(c.mean)) continue;  // a collapsed point has no curvature
         report.area += area;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/spline/bspline_surface.h"
 
+#include <Eigen/Geometry>
+
 #include "core/spline/bspline_basis.h"
 
 namespace fairing::spline {
@@ -28,6 +30,10 @@ BsplineSurface changedAlongU(const BsplineSurface& surface, const Change& change
 }
 
 }  // namespace
+
+Eigen::Vector3d SurfaceJet::normalVector() const {
+  return u.cross(v);
+}
 
 Eigen::Vector3d BsplineSurface::evaluate(double s, double t, int a, int b) const {
   const BasisRow bu = basisRow(u, s, a);
@@ -58,14 +64,16 @@ SurfaceJet BsplineSurface::jet(double s, double t) const {
           sums[0].row(2)};
 }
 
-Eigen::Matrix3Xd BsplineSurface::derivatives(double s, double t, int order) const {
-  const BasisRow bu = basisRow(u, s, order);
-  const BasisRow bv = basisRow(v, t, order);
+Partials BsplineSurface::derivatives(double s, double t, int order) const {
+  return derivatives(basisRow(u, s, order), basisRow(v, t, order), order);
+}
+
+Partials BsplineSurface::derivatives(const BasisRow& bu, const BasisRow& bv, int order) const {
   const int n = order + 1;
-  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, n * n);
+  Partials result = Partials::Zero(3, n * n);
   for (int i = 0; i <= u.degree(); ++i) {
     const auto rows = poles.middleRows(index(bu.first + i, bv.first), v.degree() + 1);
-    const Eigen::Matrix3Xd along = (bv.values * rows).transpose();
+    const Partials along = (bv.values.topRows(n) * rows).transpose();
     for (int a = 0; a < n; ++a) result.middleCols(a * n, n) += bu.values(a, i) * along;
   }
   return result;

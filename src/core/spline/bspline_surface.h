@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "core/spline/bspline_basis.h"
 #include "core/spline/bspline_curve.h"
 #include "core/spline/knot_vector.h"
 
@@ -12,8 +13,11 @@ namespace fairing::spline {
 struct SurfaceJet {
   Eigen::Vector3d point, u, v, uu, uv, vv;
   /// u x v, not of unit length.
-  [[nodiscard]] Eigen::Vector3d normalVector() const { return u.cross(v); }
+  [[nodiscard]] Eigen::Vector3d normalVector() const;
 };
+
+/// Partial derivatives, one a column; no heap.
+using Partials = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 25>;
 
 /// R(u, v) = sum_ij B_i(u) B_j(v) pole(i, j) on clamped knots; a Bezier patch is the one-span case.
 struct BsplineSurface {
@@ -27,7 +31,9 @@ struct BsplineSurface {
   [[nodiscard]] SurfaceJet jet(double s, double t) const;
   /// All partial derivatives up to `order` (at most 4) along each direction: column a * (order + 1)
   /// + b holds d^(a+b) R / du^a dv^b.
-  [[nodiscard]] Eigen::Matrix3Xd derivatives(double s, double t, int order) const;
+  [[nodiscard]] Partials derivatives(double s, double t, int order) const;
+  /// The same from basis rows at hand, which must hold derivatives up to `order`: for grids.
+  [[nodiscard]] Partials derivatives(const BasisRow& bu, const BasisRow& bv, int order) const;
 };
 
 [[nodiscard]] BsplineSurface refinedTo(const BsplineSurface& surface,
