@@ -40,6 +40,8 @@ struct SideReport {
   Deviation
       curvature;  ///< relative difference of the normal curvatures across the side, inside, 0 to 1
   double supportDeviation = 0.0;  ///< edge to its own support face as found in the base, mm
+  double followedBy =
+      0.0;  ///< how far the patch left the edge to follow its face, mm (boundary/follow_support.h)
   bool backwards =
       false;  ///< the patch leaves the side on the wrong half of the tangent plane (a cusp)
   bool withinTolerance = false;

@@ -35,7 +35,10 @@ class ArcLength {
   std::vector<double> lengths_{0.0};
 };
 
-ProbePoint probe(const boundary::Ribbon& ribbon, double t, bool inCorner) {
+ProbePoint probe(const boundary::Ribbon& ribbon,
+                 const boundary::Ribbon& target,
+                 double t,
+                 bool inCorner) {
   const boundary::CurveSample curve = ribbon.curve(t);
   ProbePoint p;
   p.t = t;
@@ -49,30 +52,37 @@ ProbePoint probe(const boundary::Ribbon& ribbon, double t, bool inCorner) {
   p.normal = support.normal;
   const Eigen::Vector3d across = p.normal.cross(p.tangent).normalized();
   p.curvature = across.dot(support.secondForm * across);
-  p.floor = std::asin(std::min(1.0, std::abs(p.normal.dot(p.tangent)))) * 180.0 / std::numbers::pi;
+  const Eigen::Vector3d along = target.curve(t).derivative.normalized();
+  p.floor = std::asin(std::min(1.0, std::abs(p.normal.dot(along)))) * 180.0 / std::numbers::pi;
   return p;
 }
 
-std::vector<ProbePoint> probeSide(const boundary::Ribbon& ribbon, int inside, int corner) {
+std::vector<ProbePoint> probeSide(const boundary::Ribbon& ribbon,
+                                  const boundary::Ribbon& target,
+                                  int inside,
+                                  int corner) {
   const ArcLength length(ribbon);
-  std::vector<ProbePoint> points{probe(ribbon, 0.0, true)};
+  std::vector<ProbePoint> points{probe(ribbon, target, 0.0, true)};
   const auto add = [&](double share, bool inCorner) {
-    points.push_back(probe(ribbon, length.parameterAt(share), inCorner));
+    points.push_back(probe(ribbon, target, length.parameterAt(share), inCorner));
   };
   for (int k = 0; k < corner; ++k) add(kCornerZone * (k + 0.5) / corner, true);
   for (int k = 0; k < inside; ++k)
     add(kCornerZone + (1.0 - 2.0 * kCornerZone) * (k + 0.5) / inside, false);
   for (int k = 0; k < corner; ++k) add(1.0 - kCornerZone * (corner - k - 0.5) / corner, true);
-  points.push_back(probe(ribbon, 1.0, true));
+  points.push_back(probe(ribbon, target, 1.0, true));
   return points;
 }
 
 }  // namespace
 
-LoopProbe probeLoop(const boundary::BoundaryLoop& loop, int inside, int corner) {
+LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
+                    const boundary::BoundaryLoop& target,
+                    int inside,
+                    int corner) {
   LoopProbe probe;
-  for (const boundary::BoundarySide& side : loop.sides)
-    probe.sides.push_back(probeSide(side.ribbon, inside, corner));
+  for (std::size_t k = 0; k < loop.sides.size(); ++k)
+    probe.sides.push_back(probeSide(loop.sides[k].ribbon, target.sides[k].ribbon, inside, corner));
   return probe;
 }
 

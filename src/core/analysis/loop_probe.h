@@ -31,8 +31,14 @@ struct LoopProbe {
 /// Places evenly spread over the arc length, `inside` between the corner zones and `corner` in
 /// either of them, ascending, and the two ends, which count for the gap alone: a corner belongs to
 /// two sides and has the normal of neither.
+/// `target` is the loop that patches are made for, of which the floor is taken
+/// (boundary/follow_support.h).
 [[nodiscard]] LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
+                                  const boundary::BoundaryLoop& target,
                                   int inside = 61,
                                   int corner = 8);
+[[nodiscard]] inline LoopProbe probeLoop(const boundary::BoundaryLoop& loop) {
+  return probeLoop(loop, loop);
+}
 
 }  // namespace fairing::analysis

@@ -16,7 +16,8 @@ struct BoundarySide {
   Ribbon ribbon;
   double length = 0.0;  ///< mm
   double supportDeviation =
-      0.0;  ///< largest distance found between the 3D edge and the support face, mm
+      0.0;                  ///< largest distance found between the 3D edge and the support face, mm
+  double followedBy = 0.0;  ///< how far followSupports() moved the side towards its face, mm
 };
 
 /// Where side i ends and side i+1 begins.

@@ -50,6 +50,26 @@ bool isTooLarge(const analysis::AnglePlace& place, const analysis::FillReport& r
   return place.angle > std::max(aim * limit, kBeyondFloor * place.floor);
 }
 
+// How far over the limits a report is; 1 = just within. The sum over the sides tells reports apart
+// whose worst place is the same. A patch that leaves a side backwards is worse than any.
+double excess(const analysis::FillReport& report) {
+  constexpr double kBackwards = 1e6;
+  constexpr double kTieShare = 1e-3;
+  double worst = 0.0, sum = 0.0;
+  for (const analysis::SideReport& side : report.sides) {
+    double own = side.gap.max / report.gapLimit;
+    if (side.asked != Continuity::G0) {
+      own = std::max({own,
+                      side.angle.max / report.angleLimit,
+                      side.cornerAngle.max / report.cornerAngleLimit});
+      if (side.backwards) own += kBackwards;
+    }
+    worst = std::max(worst, own);
+    sum += own;
+  }
+  return worst + kTieShare * sum;
+}
+
 }  // namespace
 
 std::vector<analysis::SideTrace> sideTraces(const layout::PatchLayout& layout) {
@@ -88,6 +108,16 @@ std::vector<KnotWish> wishedKnots(const layout::PatchLayout& layout,
     wishes[p].v.assign(v[p].begin(), v[p].end());
   }
   return wishes;
+}
+
+bool nothingWished(const std::vector<KnotWish>& wishes) {
+  return std::all_of(wishes.begin(), wishes.end(), [](const KnotWish& w) { return w.empty(); });
+}
+
+FillResult better(FillResult before, FillResult after) {
+  if (excess(after.report) < excess(before.report)) return after;
+  before.summary.solves = after.summary.solves;
+  return before;
 }
 
 }  // namespace fairing

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/analysis/measure_fill.h"
+#include "core/fill/fill_hole.h"
 #include "core/layout/layouts.h"
 
 namespace fairing {
@@ -16,5 +17,10 @@ namespace fairing {
 [[nodiscard]] std::vector<layout::KnotWish> wishedKnots(const layout::PatchLayout& layout,
                                                         const analysis::FillReport& report,
                                                         double aim);
+[[nodiscard]] bool nothingWished(const std::vector<layout::KnotWish>& wishes);
+
+/// The one of two results that is less over its limits; it keeps the count of solves of the later
+/// one.
+[[nodiscard]] FillResult better(FillResult before, FillResult after);
 
 }  // namespace fairing

@@ -71,18 +71,6 @@ KnotVector breakKnots(const DirectedSide& s, int degree) {
   return knots;
 }
 
-// Adds the middle of every span whose fit is over tolerance. False where nothing was added.
-bool bisectBadSpans(KnotVector& knots, const std::vector<double>& spanErrors, double tolerance) {
-  const std::vector<double> breaks = knots.breaks();
-  bool added = false;
-  for (std::size_t s = 0; s < spanErrors.size(); ++s) {
-    if (spanErrors[s] <= tolerance) continue;
-    knots = knots.withKnot(0.5 * (breaks[s] + breaks[s + 1]));
-    added = true;
-  }
-  return added;
-}
-
 }  // namespace
 
 KnotVector chooseKnots(const std::vector<DirectedSide>& sides,
@@ -102,11 +90,8 @@ KnotVector chooseKnots(const std::vector<DirectedSide>& sides,
   for (const BsplineCurve& c : exact)
     knots = merged(knots, c.knots.raised(p - c.knots.degree()), kSameKnot);
   for (const DirectedSide& s : others) {
-    const spline::CurveFunction given = curveFunction(s);
     knots = merged(knots, breakKnots(s, p), kSameKnot);
-    while (knots.poleCount() < maxPoles &&
-           bisectBadSpans(knots, spline::fitCurve(given, knots).spanErrors, fitTolerance)) {
-    }
+    knots = spline::knotsThatFit(curveFunction(s), knots, fitTolerance, maxPoles);
   }
   return knots;
 }

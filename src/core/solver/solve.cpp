@@ -51,4 +51,8 @@ Result<Solution> solve(const QuadraticProgram& program) {
   return Solution{*points, static_cast<int>(space.basis.cols()), space.rows, space.residual};
 }
 
+double energy(const QuadraticProgram& program, const Points& points) {
+  return 0.5 * points.cwiseProduct(program.stiffness * points).sum();
+}
+
 }  // namespace fairing::solver

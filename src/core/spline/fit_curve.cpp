@@ -67,4 +67,22 @@ CurveFit fitCurve(const CurveFunction& given, const KnotVector& knots) {
   return fit;
 }
 
+KnotVector knotsThatFit(const CurveFunction& given,
+                        KnotVector knots,
+                        double tolerance,
+                        int maxPoles) {
+  while (knots.poleCount() < maxPoles) {
+    const std::vector<double> errors = fitCurve(given, knots).spanErrors;
+    const std::vector<double> breaks = knots.breaks();
+    bool fits = true;
+    for (std::size_t s = 0; s < errors.size(); ++s) {
+      if (errors[s] <= tolerance) continue;
+      knots = knots.withKnot(0.5 * (breaks[s] + breaks[s + 1]));
+      fits = false;
+    }
+    if (fits) break;
+  }
+  return knots;
+}
+
 }  // namespace fairing::spline

@@ -22,4 +22,11 @@ struct CurveFit {
 /// degree >= 3.
 [[nodiscard]] CurveFit fitCurve(const CurveFunction& given, const KnotVector& knots);
 
+/// The knots on which a fit is within `tolerance` mm: spans over it are bisected until none is, or
+/// until there are `maxPoles` control points.
+[[nodiscard]] KnotVector knotsThatFit(const CurveFunction& given,
+                                      KnotVector knots,
+                                      double tolerance,
+                                      int maxPoles);
+
 }  // namespace fairing::spline
