@@ -15,7 +15,7 @@ constexpr double kDifferenceStep = 1e-5;
 constexpr double kFarthestShare = 1e-4;  // of the diagonal: what real CAD files are off by
 constexpr double kEndsShare = 1e-8;      // of the diagonal: an end closer than this does not move
 // The moved curve is fitted to this share of the way it moved.
-constexpr double kFitShare = 2e-3;
+constexpr double kFitShare = 2e-2;
 constexpr int kDegree = 5, kMostPoles = 80;
 
 struct Departure {
