@@ -76,8 +76,9 @@ std::vector<int> stillFree(const ShapeIndex& base,
   for (const JoinPart& part : parts) {
     for (const boundary::BoundarySide& side : part.loop.sides) {
       if (side.face == 0) continue;
-      const TopoDS_Edge& edge = base.edge(side.edge);
-      const TopoDS_Shape now = sewing.IsModified(edge) ? sewing.Modified(edge) : edge;
+      const TopoDS_Shape& edge = base.edge(side.edge);
+      const TopoDS_Shape now =
+          sewing.IsModifiedSubShape(edge) ? sewing.ModifiedSubShape(edge) : edge;
       bool free = false;
       for (TopExp_Explorer it(now, TopAbs_EDGE); it.More(); it.Next()) {
         const TopTools_ListOfShape* faces = facesOfEdge.Seek(it.Current());
