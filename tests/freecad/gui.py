@@ -103,10 +103,15 @@ def click(view, point, modifier=None):
 
 
 def picture(name):
-    """The whole screen, left among the pictures of the build for people to look at."""
+    """The window, left among the pictures of the build for people to look at."""
     Gui.updateGui()
     pump(0.2)
-    assert QtGui.QApplication.primaryScreen().grabWindow(0).save(os.path.join(OUTPUT, name + ".png"))
+    assert _screen().save(os.path.join(OUTPUT, name + ".png"))
+
+
+def _screen():
+    window = Gui.getMainWindow()
+    return QtGui.QApplication.primaryScreen().grabWindow(0, window.x(), window.y(), window.width(), window.height())
 
 
 def _window_position(view, point):

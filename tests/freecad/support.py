@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the tests inside FreeCAD share: the example, geometry to assert, documents on disk."""
 
+import inspect
 import os
 import sys
 import tempfile
+import traceback
 
 import FreeCAD as App
 import Part
@@ -62,6 +64,22 @@ def saved(document):
     path = os.path.join(tempfile.mkdtemp(), document.Name + ".FCStd")
     document.saveAs(path)
     return path
+
+
+def run_all(names):
+    """Calls every function defined by a test script, each on its own; the process ends with 1 where one fails."""
+    failed = 0
+    for name, test in list(names.items()):
+        if inspect.isfunction(test) and test.__module__ == "__main__" and not inspect.signature(test).parameters:
+            try:
+                test()
+                print(f"passed  {name}")
+            except Exception:
+                failed += 1
+                print(f"FAILED  {name}\n{traceback.format_exc()}")
+            for document in list(App.listDocuments()):
+                App.closeDocument(document)
+    sys.exit(1 if failed else 0)
 
 
 def _foot(face, point):

@@ -7,7 +7,7 @@ import math
 
 from PySide import QtCore
 
-SMALLEST, LARGEST = 1e-3, 1e4  # what the slider reaches; 0 is its left end, larger numbers can be typed
+SMALLEST, LARGEST = 1e-1, 1e7  # what the slider reaches; 0 is its left end, larger numbers can be typed
 
 
 class WeightSlider(QtCore.QObject):
