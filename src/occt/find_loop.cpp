@@ -203,7 +203,9 @@ Result<Loop> traceLoop(const ShapeIndex& index, const BorderGraph& graph, const 
   if (closesByItself(graph, left)) {
     loop = chain(graph, left);
   } else {
-    auto found = walk.from(*left.begin());
+    const auto heads = [&](int i) { return graph.edges()[std::size_t(i)].heading.has_value(); };
+    const auto clear = std::find_if(left.begin(), left.end(), heads);
+    auto found = walk.from(clear != left.end() ? *clear : *left.begin());
     if (!found) return fail(found.error());
     loop = std::move(*found);
     for (const LoopEdge& e : loop) left.erase(e.border);

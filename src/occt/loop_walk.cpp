@@ -49,7 +49,7 @@ LoopWalk::LoopWalk(const ShapeIndex& index, const BorderGraph& graph, std::set<i
 
 std::vector<LoopEdge> LoopWalk::leaving(int node, const std::set<int>& used, int start) const {
   std::vector<LoopEdge> ways;
-  for (int i : graph_.at(node)) {
+  for (int i : std::set<int>(graph_.at(node).begin(), graph_.at(node).end())) {
     if (dangling_[std::size_t(i)] || (used.contains(i) && i != start)) continue;
     for (Direction d : {Direction::Forward, Direction::Backward}) {
       if (graph_.edges()[std::size_t(i)].from(d) == node) ways.push_back({i, d});
@@ -148,9 +148,24 @@ Error LoopWalk::deadEnd(const LoopEdge& arrived) const {
           .value = std::isfinite(gap) ? gap : 0.0};
 }
 
+double LoopWalk::lengthOf(const std::vector<LoopEdge>& loop) const {
+  double length = 0.0;
+  for (const LoopEdge& e : loop) length += graph_.edges()[std::size_t(e.border)].length;
+  return length;
+}
+
 Result<std::vector<LoopEdge>> LoopWalk::from(int border) const {
+  const auto& heading = graph_.edges()[std::size_t(border)].heading;
+  if (heading) return follow({border, *heading});
+  auto one = follow({border, Direction::Forward});
+  auto other = follow({border, Direction::Backward});
+  if (one && other) return lengthOf(*other) < lengthOf(*one) ? other : one;
+  return other ? other : one;
+}
+
+Result<std::vector<LoopEdge>> LoopWalk::follow(const LoopEdge& start) const {
+  const int border = start.border;
   const BorderEdge& first = graph_.edges()[std::size_t(border)];
-  const LoopEdge start{border, first.heading.value_or(Direction::Forward)};
   std::vector<LoopEdge> loop{start};
   std::set<int> used{border};
   std::set<int> passed{first.from(start.direction)};

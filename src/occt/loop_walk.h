@@ -15,11 +15,14 @@ class LoopWalk {
   /// `picked`: positions in graph.edges() that win at a branch.
   LoopWalk(const ShapeIndex& index, const BorderGraph& graph, std::set<int> picked);
 
+  /// An edge without a heading lies between two gaps: the shorter of both loops is meant.
   /// Fails with LoopNotClosed at a dead end, LoopBranches where the way on is not clear,
   /// LoopSelfTouching where a node is passed twice.
   [[nodiscard]] Result<std::vector<LoopEdge>> from(int border) const;
 
  private:
+  [[nodiscard]] Result<std::vector<LoopEdge>> follow(const LoopEdge& start) const;
+  [[nodiscard]] double lengthOf(const std::vector<LoopEdge>& loop) const;
   [[nodiscard]] std::vector<LoopEdge> leaving(int node, const std::set<int>& used, int start) const;
   [[nodiscard]] Result<LoopEdge> choose(const LoopEdge& arrived, std::vector<LoopEdge> ways) const;
   [[nodiscard]] Result<LoopEdge> chooseByAngle(const LoopEdge& arrived,

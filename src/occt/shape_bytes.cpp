@@ -80,6 +80,9 @@ Result<TopoDS_Shape> shapeFromBytes(std::string_view bytes) {
   auto shape = guarded([&]() -> Result<TopoDS_Shape> {
     MemoryBuffer buffer(bytes);
     std::istream stream(&buffer);
+    // The kernel's readers wait for words that never come in a file cut short: the first one
+    // missing is an exception.
+    stream.exceptions(std::ios::failbit | std::ios::badbit);
     return isBinary ? readFreecadBinary(stream) : readText(stream);
   });
   if (!shape || shape->IsNull()) return fail(notAShape());
