@@ -55,10 +55,8 @@ void PickArguments::addTo(CLI::App& command) {
   command.add_option(
       "--continuity", continuity, "G0 or G1, of every edge with a face beside it (default G1)");
   addList(command, "--edge-continuity", edgeContinuity, "of single edges, such as 7=G0,9=G1");
-  command.add_option(
-      "--tolerance", tolerance.gap, "largest gap, mm (default: 1e-6 of the hole's diagonal)");
-  command.add_option(
-      "--angle", tolerance.angle, "largest angle along an edge, degrees (default 0.02)");
+  command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the hole's diagonal)");
+  command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
 }
 
 Result<occt::Picks> PickArguments::picks() const {
@@ -80,6 +78,14 @@ Result<occt::Picks> PickArguments::picks() const {
     if (!edge || !wish) return fail(unknown("--edge-continuity", word));
     result.edgeContinuity[*edge] = *wish;
   }
+  return result;
+}
+
+Result<Tolerance> PickArguments::tolerance() const {
+  Tolerance result;
+  if (gap && !(*gap > 0.0)) return fail({.code = ErrorCode::ToleranceNotPositive, .value = *gap});
+  result.gap = gap.value_or(result.gap);
+  result.angle = angle.value_or(result.angle);
   return result;
 }
 
@@ -108,7 +114,9 @@ Result<FillOptions> FillArguments::options() const {
   if (!energyKind) return fail(unknown("--energy", energy));
   chosen.layout = *layoutKind;
   chosen.energy = *energyKind;
-  chosen.tolerance = picks.tolerance;
+  const auto tolerance = picks.tolerance();
+  if (!tolerance) return fail(tolerance.error());
+  chosen.tolerance = *tolerance;
   chosen.degree = degree;
   chosen.maxPoles = maxPoles;
   chosen.guidance.lambda = lambda;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,13 @@ struct PickArguments {
   std::vector<std::string> edges, faces;
   std::string continuity = "G1";
   std::vector<std::string> edgeContinuity;
-  Tolerance tolerance;
+  std::optional<double> gap, angle;
 
   void addTo(CLI::App& command);
   /// Fails with UnknownChoice.
   [[nodiscard]] Result<occt::Picks> picks() const;
+  /// Zero is no tolerance, whatever it means elsewhere. Fails with ToleranceNotPositive.
+  [[nodiscard]] Result<Tolerance> tolerance() const;
 };
 
 struct FillArguments {

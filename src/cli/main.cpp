@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
+#include <OSD.hxx>
 #include <exception>
 
 #include "cli/commands.h"
@@ -49,6 +50,9 @@ Outcome run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // The kernel's file readers rely on this: a reference to nothing in a damaged file becomes an
+  // error instead of a crash.
+  OSD::SetSignal(false);
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const std::exception& error) {

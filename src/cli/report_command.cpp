@@ -16,7 +16,9 @@ Outcome runReport(const ReportArguments& arguments) {
   const auto picks = arguments.picks.picks();
   if (!picks) return complain(picks.error());
   FillOptions limits;
-  limits.tolerance = arguments.picks.tolerance;
+  const auto tolerance = arguments.picks.tolerance();
+  if (!tolerance) return complain(tolerance.error());
+  limits.tolerance = *tolerance;
   if (const auto error = validate(limits)) return complain(*error);
   const auto shape = occt::readShape(arguments.shape);
   if (!shape) return complain(shape.error());

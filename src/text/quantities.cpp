@@ -19,7 +19,7 @@ std::string digits(double value, int count) {
 
 std::string length(double mm) {
   const double size = std::abs(mm);
-  if (std::isnan(mm)) return "not a number";
+  if (std::isnan(mm)) return "NaN";
   if (size < kNothing) return "0 mm";
   if (size < 1e-6) return digits(mm * 1e6, 2) + " nm";
   if (size < 1e-3) return digits(mm * 1e6, 3) + " nm";
@@ -28,7 +28,7 @@ std::string length(double mm) {
 }
 
 std::string angle(double degrees) {
-  if (std::isnan(degrees)) return "not a number";
+  if (std::isnan(degrees)) return "NaN";
   if (std::abs(degrees) < 1e-5) return "0\u00b0";
   return digits(degrees, 2) + "\u00b0";
 }
@@ -42,7 +42,7 @@ std::string point(const Eigen::Vector3d& where) {
 }
 
 std::string number(double value) {
-  return std::isnan(value) ? "not a number" : digits(value, 4);
+  return std::isnan(value) ? "NaN" : digits(value, 4);
 }
 
 }  // namespace fairing::text
