@@ -40,6 +40,8 @@ Ribbon reversedRibbon(const Ribbon& given) {
     return CurveSample{s.point, -s.derivative};
   };
   if (given.polynomial) ribbon.polynomial = spline::reversed(*given.polynomial);
+  for (auto at = given.breaks.rbegin(); at != given.breaks.rend(); ++at)
+    ribbon.breaks.push_back({1.0 - at->t, at->continuity});
   if (given.hasSupport())
     ribbon.support = [given](double t) {
       SupportSample s = given.support(1.0 - t);
@@ -58,6 +60,7 @@ Ribbon movedRibbon(const Ribbon& given, const Eigen::Affine3d& similarity) {
     const CurveSample s = given.curve(t);
     return CurveSample{similarity * s.point, similarity.linear() * s.derivative};
   };
+  ribbon.breaks = given.breaks;
   if (given.polynomial) {
     ribbon.polynomial = given.polynomial;
     for (auto row : ribbon.polynomial->poles.rowwise())

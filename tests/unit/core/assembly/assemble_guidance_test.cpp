@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/assembly/assemble_guidance.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "support/matchers.h"
+#include "support/numerical_derivative.h"
+#include "support/quadratic_forms.h"
+#include "support/random_splines.h"
+
+namespace fairing::assembly {
+namespace {
+
+using namespace ::fairing::testing;  // NOLINT: the whole vocabulary of quadratic forms
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using energy::Guidance;
+using spline::BsplineSurface;
+using spline::KnotVector;
+
+BsplineSurface somePatch(unsigned seed) {
+  Random random{seed};
+  const KnotVector u = randomKnots(random, 3, 2), v = randomKnots(random, 4, 2);
+  return randomSurface(random, u.mapped(0.0, 1.25), v.mapped(0.0, 0.8));
+}
+
+// Splines over the unit square on knots that are not the patch's.
+Guidance continuousGuidance(double lambda, double gamma) {
+  Random random{7};
+  const KnotVector n = randomKnots(random, 2, 2), s = randomKnots(random, 5, 3);
+  Guidance guidance;
+  guidance.lambda = lambda;
+  guidance.gamma = gamma;
+  guidance.continuous = {randomSurface(random, n, n, 1.0), randomSurface(random, s, s)};
+  return guidance;
+}
+
+Guidance discreteGuidance(double lambda, double gamma) {
+  Random random{8};
+  energy::DiscreteGuidance grid;
+  grid.n = 4;
+  grid.m = 3;
+  const Eigen::Index count = (grid.n + 1) * (grid.m + 1);
+  grid.points = randomMatrix(random, count, 3);
+  grid.normals = randomMatrix(random, count, 3).rowwise().normalized();
+  grid.lambda = randomMatrix(random, count, 1).cwiseAbs();
+  grid.gamma = randomMatrix(random, count, 1).cwiseAbs();
+  Guidance guidance;
+  guidance.lambda = lambda;
+  guidance.gamma = gamma;
+  guidance.discrete = grid;
+  return guidance;
+}
+
+// lambda [(R_u . N)^2 + (R_v . N)^2] + gamma (R - S)^2, [WuYang2015] eq. 1.
+double integrand(const spline::SurfaceJet& r,
+                 const Vector3d& n,
+                 const Vector3d& s,
+                 double lambda,
+                 double gamma) {
+  const double tilt = std::pow(r.u.dot(n), 2) + std::pow(r.v.dot(n), 2);
+  return lambda * tilt + gamma * (r.point - s).squaredNorm();
+}
+
+// The oracle: twelve Gauss points on a mesh that holds every knot of patch and guide.
+double continuousEnergy(const BsplineSurface& patch, const Guidance& g) {
+  const auto& [normals, reference] = *g.continuous;
+  BsplineSurface fine = patch;
+  const auto split = [](KnotVector knots, const KnotVector& guide) {
+    for (const double b : guide.mapped(knots.first(), knots.last()).breaks())
+      if (b > knots.first() && b < knots.last()) knots = knots.withKnot(b);
+    return knots;
+  };
+  fine.u = split(split(fine.u, normals.u), reference.u);
+  fine.v = split(split(fine.v, normals.v), reference.v);
+  return 0.5 * integral(fine, 12, [&](double u, double v) {
+           const double s = u / patch.u.last(), t = v / patch.v.last();
+           return integrand(patch.jet(u, v),
+                            normals.evaluate(s, t),
+                            reference.evaluate(s, t),
+                            g.lambda,
+                            g.gamma);
+         });
+}
+
+// [WuYang2015] eq. 5, every sample weighing its share of the domain's area.
+double discreteEnergy(const BsplineSurface& patch, const Guidance& g) {
+  const energy::DiscreteGuidance& grid = *g.discrete;
+  double sum = 0.0;
+  for (int i = 0; i <= grid.n; ++i)
+    for (int j = 0; j <= grid.m; ++j) {
+      const Eigen::Index k = i * (grid.m + 1) + j;
+      sum += integrand(patch.jet(patch.u.last() * i / grid.n, patch.v.last() * j / grid.m),
+                       grid.normals.row(k),
+                       grid.points.row(k),
+                       g.lambda * grid.lambda[k],
+                       g.gamma * grid.gamma[k]);
+    }
+  return 0.5 * sum * patch.u.last() * patch.v.last() / ((grid.n + 1) * (grid.m + 1));
+}
+
+using Oracle = double (*)(const BsplineSurface&, const Guidance&);
+
+struct Case {
+  const char* name;
+  Guidance guidance;
+  Oracle energy;
+};
+
+class AssembleGuidance : public ::testing::TestWithParam<Case> {
+ protected:
+  BsplineSurface patch_ = somePatch(0);
+  GuidanceSystem system_ =
+      assembleGuidance(freePatch(patch_.u, patch_.v), GetParam().guidance, {patch_});
+  VectorXd x_ = flattened(patch_.poles);
+};
+
+TEST_P(AssembleGuidance, IsTheEnergyOfTheSurface) {
+  const double expected = GetParam().energy(patch_, GetParam().guidance);
+  const double got = 0.5 * x_.dot(system_.coupled * x_) - system_.load.dot(x_) + system_.constant;
+  EXPECT_NEAR(got, expected, 1e-12 * (1.0 + expected));
+}
+
+TEST_P(AssembleGuidance, GradientIsThatOfTheEnergy) {
+  const auto energyAt = [&](const VectorXd& x) {
+    return GetParam().energy({patch_.u, patch_.v, unflattened(x)}, GetParam().guidance);
+  };
+  const VectorXd expected = quadraticGradient(energyAt, x_);
+  const VectorXd got = system_.coupled * x_ - system_.load;
+  EXPECT_THAT(got, IsNear(expected, 1e-11 * (1.0 + expected.norm())));
+}
+
+TEST_P(AssembleGuidance, MatrixIsSymmetric) {
+  const Eigen::MatrixXd k = system_.coupled;
+  EXPECT_LT((k - k.transpose()).norm(), 1e-14 * k.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Forms,
+    AssembleGuidance,
+    ::testing::Values(Case{"ContinuousLambda", continuousGuidance(2.5, 0.0), continuousEnergy},
+                      Case{"ContinuousGamma", continuousGuidance(0.0, 1.5), continuousEnergy},
+                      Case{"ContinuousBoth", continuousGuidance(2.5, 1.5), continuousEnergy},
+                      Case{"DiscreteLambda", discreteGuidance(2.5, 0.0), discreteEnergy},
+                      Case{"DiscreteGamma", discreteGuidance(0.0, 1.5), discreteEnergy},
+                      Case{"DiscreteBoth", discreteGuidance(2.5, 1.5), discreteEnergy}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(AssembleGuidance, WithoutGuidanceNothingIsAdded) {
+  const BsplineSurface patch = somePatch(1);
+  const GuidanceSystem system = assembleGuidance(freePatch(patch.u, patch.v), {}, {patch});
+  EXPECT_EQ(system.coupled.norm(), 0.0);
+  EXPECT_EQ(system.load.norm(), 0.0);
+  EXPECT_EQ(system.constant, 0.0);
+}
+
+TEST(AssembleGuidance, AHandleActsOnlyWithinItsRadius) {
+  const BsplineSurface patch = somePatch(2);
+  Guidance guidance;
+  guidance.lambda = 1.0;
+  guidance.handles = {{Vector3d(50.0, 0.0, 0.0), Vector3d::UnitZ(), 1.0, 5.0}};
+  const auto layout = freePatch(patch.u, patch.v);
+  EXPECT_EQ(assembleGuidance(layout, guidance, {patch}).coupled.norm(), 0.0);
+  guidance.handles[0].point = patch.evaluate(0.6, 0.4);
+  guidance.handles[0].radius = 0.5;
+  EXPECT_GT(assembleGuidance(layout, guidance, {patch}).coupled.norm(), 0.0);
+}
+
+TEST(AssembleGuidance, ADenseGridOfUnitWeightsTendsToTheIntegral) {
+  // The same field both ways: a rectangle rule against exact quadrature, so first order in 1/n.
+  const BsplineSurface patch = somePatch(3);
+  const Guidance exact = continuousGuidance(1.0, 1.0);
+  const auto value = [&](const Guidance& g) {
+    const GuidanceSystem s = assembleGuidance(freePatch(patch.u, patch.v), g, {patch});
+    const VectorXd x = flattened(patch.poles);
+    return 0.5 * x.dot(s.coupled * x) - s.load.dot(x) + s.constant;
+  };
+  const auto sampled = [&](int n) {
+    energy::DiscreteGuidance grid;
+    grid.n = grid.m = n;
+    const Eigen::Index count = (n + 1) * (n + 1);
+    grid.normals.resize(count, 3);
+    grid.points.resize(count, 3);
+    grid.lambda = grid.gamma = VectorXd::Ones(count);
+    for (int k = 0; k < count; ++k) {
+      const double s = static_cast<double>(k / (n + 1)) / n;
+      const double t = static_cast<double>(k % (n + 1)) / n;
+      grid.normals.row(k) = exact.continuous->normals.evaluate(s, t).transpose();
+      grid.points.row(k) = exact.continuous->reference.evaluate(s, t).transpose();
+    }
+    Guidance guidance;
+    guidance.lambda = guidance.gamma = 1.0;
+    guidance.discrete = grid;
+    return value(guidance);
+  };
+  const double limit = value(exact);
+  const double coarse = std::abs(sampled(20) - limit), fine = std::abs(sampled(80) - limit);
+  EXPECT_LT(fine, 0.35 * coarse);  // a quarter, and a margin for the second order
+  EXPECT_LT(fine, 0.1 * limit);
+}
+
+}  // namespace
+}  // namespace fairing::assembly
