@@ -9,6 +9,6 @@ namespace fairing::text {
 [[nodiscard]] std::string length(double mm);                    ///< "12 nm", "0.27 mm"
 [[nodiscard]] std::string angle(double degrees);                ///< "0.004" and the degree sign
 [[nodiscard]] std::string point(const Eigen::Vector3d& where);  ///< "(12, 3.1, 0)"
-[[nodiscard]] std::string number(double value);  ///< four digits
+[[nodiscard]] std::string number(double value);                 ///< four digits
 
 }  // namespace fairing::text

@@ -30,6 +30,8 @@ json toJson(const analysis::SideReport& side) {
           {"support_deviation", side.supportDeviation},
           {"backwards", side.backwards},
           {"within_tolerance", side.withinTolerance},
+          {"followed_by", side.followedBy},
+          {"floor_angle", side.floorAngle},
           {"angle_curve", std::move(curve)}};
 }
 

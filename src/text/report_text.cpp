@@ -62,15 +62,28 @@ std::string cornerReason(const FillReport& report,
   return {};
 }
 
+/// Why a side cannot be met better, where the edge itself is to blame.
+std::string edgeReason(const SideReport& side) {
+  if (side.followedBy > 0.0)
+    return fmt::format(
+        ": the edge waves about its own face, up to {} off; the patch follows the face there",
+        length(side.supportDeviation));
+  if (side.floorAngle > 0.5 * std::max(side.angle.max, side.cornerAngle.max))
+    return fmt::format(": the edge itself leaves its face's tangent plane by {}",
+                       angle(side.floorAngle));
+  return {};
+}
+
 std::string missSentence(const FillReport& report, const Miss& miss) {
   const SideReport& side = *miss.side;
   switch (miss.kind) {
     case Miss::Kind::Gap:
-      return fmt::format("Edge {} is missed by {} at {}; allowed are {}",
+      return fmt::format("Edge {} is missed by {} at {} (allowed: {}){}",
                          side.edge,
                          length(side.gap.max),
                          point(side.gap.where),
-                         length(report.gapLimit));
+                         length(report.gapLimit),
+                         edgeReason(side));
     case Miss::Kind::Backwards:
       return fmt::format("The patch leaves edge {} backwards, in a cusp, near {}",
                          side.edge,
@@ -80,7 +93,7 @@ std::string missSentence(const FillReport& report, const Miss& miss) {
                          side.edge,
                          angle(side.angle.max),
                          point(side.angle.where),
-                         cornerReason(report, side, side.angle.where));
+                         edgeReason(side) + cornerReason(report, side, side.angle.where));
     case Miss::Kind::Corner:
       break;
   }
@@ -88,7 +101,7 @@ std::string missSentence(const FillReport& report, const Miss& miss) {
                      side.edge,
                      angle(side.cornerAngle.max),
                      point(side.cornerAngle.where),
-                     cornerReason(report, side, side.cornerAngle.where));
+                     edgeReason(side) + cornerReason(report, side, side.cornerAngle.where));
 }
 
 std::string positionOnly(const FillReport& report) {
