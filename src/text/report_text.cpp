@@ -74,6 +74,12 @@ std::string edgeReason(const SideReport& side) {
   return {};
 }
 
+/// Why tangency fails at a place: the edge's own fault before the corner's.
+std::string reason(const FillReport& report, const SideReport& side, const Eigen::Vector3d& where) {
+  const std::string own = edgeReason(side);
+  return own.empty() ? cornerReason(report, side, where) : own;
+}
+
 std::string missSentence(const FillReport& report, const Miss& miss) {
   const SideReport& side = *miss.side;
   switch (miss.kind) {
@@ -93,7 +99,7 @@ std::string missSentence(const FillReport& report, const Miss& miss) {
                          side.edge,
                          angle(side.angle.max),
                          point(side.angle.where),
-                         edgeReason(side) + cornerReason(report, side, side.angle.where));
+                         reason(report, side, side.angle.where));
     case Miss::Kind::Corner:
       break;
   }
@@ -101,7 +107,7 @@ std::string missSentence(const FillReport& report, const Miss& miss) {
                      side.edge,
                      angle(side.cornerAngle.max),
                      point(side.cornerAngle.where),
-                     edgeReason(side) + cornerReason(report, side, side.cornerAngle.where));
+                     reason(report, side, side.cornerAngle.where));
 }
 
 std::string positionOnly(const FillReport& report) {
