@@ -51,6 +51,17 @@ class FillRequest:
     def continuity_of(self, edge: int) -> str:
         return dict(self.edge_continuity).get(edge, self.continuity)
 
+    def differences(self, other: "FillRequest") -> dict[str, Any]:
+        """Options that differ from another request's, as make_fill() takes them; picks and reference aside."""
+        changed = {}
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            if field.name not in ("edges", "faces", "reference") and value != getattr(other, field.name):
+                changed[field.name] = value
+        if "edge_continuity" in changed:
+            changed["edge_continuity"] = {f"Edge{edge}": word for edge, word in self.edge_continuity}
+        return changed
+
     def arguments(self) -> dict[str, Any]:
         """Keyword arguments of the native Shape.fill()."""
         return {

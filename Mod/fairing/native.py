@@ -39,7 +39,7 @@ def _reason(error: ImportError) -> str:
     if not built:
         return (f"Fairing's native module is missing in {PACKAGE_DIR}: build the add-on on this machine "
                 "(see Fairing's README) and install it again.")
-    if not any(name.endswith(suffix) for name in built for suffix in importlib.machinery.EXTENSION_SUFFIXES):
+    if not {"_fairing" + suffix for suffix in importlib.machinery.EXTENSION_SUFFIXES}.intersection(built):
         return (f"Fairing's native module {built[0]} was built for another Python than FreeCAD's "
                 f"{platform.python_version()}: build the add-on with FreeCAD's Python and install it again.")
     return (f"Fairing's native module {built[0]} does not load ({error}): it was built for other libraries than "

@@ -24,8 +24,10 @@ def register_commands() -> list[str]:
     import FreeCADGui as Gui
 
     commands = [FillHoleCommand(), ReconnectCommand()]
+    # The macro recorder writes `import <file that added the command>` into every macro: let that be the package.
+    add = compile("add(command.NAME, command)", "fairing.py", "exec")
     for command in commands:
-        Gui.addCommand(command.NAME, command)
+        exec(add, {"add": Gui.addCommand, "command": command})
     return [command.NAME for command in commands]
 
 

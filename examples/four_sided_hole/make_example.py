@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes the example document: a freeform sheet with a crown and a bump, and a four-sided hole where the bump is highest.
 
-    scripts/with_freecad examples/four_sided_hole/make_example.py     writes four_sided_hole.FCStd beside this file
+    scripts/with_freecad_gui examples/four_sided_hole/make_example.py     writes four_sided_hole.FCStd beside this file
 """
 
 import math
@@ -71,5 +71,9 @@ def _is_within(box: App.BoundBox, outline: App.BoundBox) -> bool:
 
 
 if __name__ == "__main__":
+    import FreeCADGui as Gui  # a document saved without a window opens with everything hidden
+
     made = make_document()
+    Gui.ActiveDocument.ActiveView.viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
     made.saveAs(os.path.join(os.path.dirname(os.path.abspath(__file__)), "four_sided_hole.FCStd"))

@@ -3,6 +3,7 @@
 
 import os
 import subprocess
+import threading
 import time
 
 import FreeCADGui as Gui
@@ -54,6 +55,12 @@ def widget(name):
     return found[-1]
 
 
+def type_into(name, text):
+    """A number with its unit into one of FreeCAD's quantity fields."""
+    widget(name).findChild(QtGui.QLineEdit).setText(text)
+    pump(0.05)
+
+
 def press(kind):
     """OK, Cancel or Apply of the open panel."""
     for box in Gui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
@@ -80,7 +87,15 @@ def verdict():
     return widget("verdictLabel").text()
 
 
+def settle():
+    """Waits until what was typed has been taken and nothing is being computed."""
+    pump(0.4)
+    wait_for(lambda: not any(thread.name == "fairing" for thread in threading.enumerate()), "the solver to end")
+    pump(0.1)
+
+
 def wait_for_verdict(start="Meets"):
+    settle()
     wait_for(lambda: verdict().startswith(start), f"a verdict '{start}...', there is '{verdict()}'")
 
 

@@ -51,7 +51,7 @@ def largest_angle(shape, base, edges):
 
 def is_filled(obj, base, edges):
     """Asserts that a fill is one valid face that closes the hole tangentially, measured here."""
-    assert obj.isValid(), obj.State
+    assert obj.State == ["Up-to-date"], obj.State
     assert obj.Shape.isValid() and len(obj.Shape.Faces) == 1, obj.Shape.ShapeType
     gap, angle = largest_gap(obj.Shape, base, edges), largest_angle(obj.Shape, base, edges)
     assert gap <= 1e-6 * hole_diagonal(base, edges), f"gap {gap} mm"

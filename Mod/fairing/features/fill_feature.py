@@ -76,7 +76,7 @@ def make_fill(base: App.DocumentObject, picks: Iterable[subelements.Pick], *, na
         from ..views.fill_view import FillView
 
         FillView(obj.ViewObject)
-    obj.recompute()
+    obj.Document.recompute([obj])
     return obj
 
 
@@ -97,7 +97,7 @@ def change_fill(obj: App.DocumentObject, picks: Optional[Iterable[subelements.Pi
         request = dataclasses.replace(request, edge_continuity=FillRequest.of((), exceptions).edge_continuity)
     solve(request, base, container)
     properties.write_request(obj, request, base, link)
-    obj.recompute()
+    obj.Document.recompute([obj])
     return obj
 
 
@@ -112,7 +112,8 @@ def reference_link(reference):
     """(object, [names]) out of what a caller may give for a reference, or None."""
     if not reference:
         return None
-    return tuple(reference) if isinstance(reference, (tuple, list)) else (reference, [])
+    obj, names = reference if isinstance(reference, (tuple, list)) else (reference, ())
+    return obj, [name for name in names if name]
 
 
 def reference_data(reference, container) -> Optional[bytes]:

@@ -10,8 +10,10 @@ from .. import subelements
 from ..fill_request import ENERGIES, RESULTS
 from ..translation import translate
 from .fill_session import FillSession
+from .quantities import show_quantity
 from .weight_slider import WeightSlider
 
+ANGLE_STEP = 0.01  # degrees, of the arrows beside the number
 TYPING_PAUSE = 250  # ms without a key before a typed number counts
 
 
@@ -48,16 +50,17 @@ class FillChoices(QtCore.QObject):
         """What an automatic limit came to."""
         if self._ui.gapAutoCheck.isChecked():
             self._ui.gapSpin.blockSignals(True)
-            self._ui.gapSpin.setProperty("value", App.Units.Quantity(limits["gap"], App.Units.Length))
+            show_quantity(self._ui.gapSpin, limits["gap"], App.Units.Length)
             self._ui.gapSpin.blockSignals(False)
 
     def _show(self) -> None:
         ui, request = self._ui, self._session.request
         ui.energyCombo.setCurrentIndex(ENERGIES.index(request.energy))
         ui.resultCombo.setCurrentIndex(RESULTS.index(request.result))
-        ui.angleSpin.setProperty("value", App.Units.Quantity(request.angle_tolerance, App.Units.Angle))
+        ui.angleSpin.setProperty("singleStep", ANGLE_STEP)
+        show_quantity(ui.angleSpin, request.angle_tolerance, App.Units.Angle)
         ui.gapAutoCheck.setChecked(request.gap_tolerance is None)
-        ui.gapSpin.setProperty("value", App.Units.Quantity(request.gap_tolerance or 0.0, App.Units.Length))
+        show_quantity(ui.gapSpin, request.gap_tolerance or 0.0, App.Units.Length)
         ui.degreeSpin.setValue(request.degree or ui.degreeSpin.minimum())
         ui.polesSpin.setValue(request.max_poles)
         self._show_hints()

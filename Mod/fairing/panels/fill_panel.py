@@ -184,6 +184,8 @@ class FillPanel:
 
     def _progressed(self, fraction: float) -> None:
         if time.monotonic() - self._started > SHOWS_PROGRESS_AFTER:
+            if not self._ui.stopButton.isVisible():
+                self._say(Status.UNKNOWN, translate("Fairing", "Computing ..."))
             self._show_busy(True)
             self._ui.progressBar.setValue(round(fraction * self._ui.progressBar.maximum()))
 

@@ -139,27 +139,26 @@ class FillSession:
         self.find_loop()
 
     def _command(self) -> str:
-        """The Python line that does what OK does."""
-        request, plain = self.request, FillRequest()
-        asked = {"edge_continuity": {f"Edge{edge}": word for edge, word in request.edge_continuity}}
-        for field in dataclasses.fields(FillRequest):
-            if field.name not in ("edges", "faces", "edge_continuity", "reference"):
-                asked[field.name] = getattr(request, field.name)
+        """The Python line that does what OK does: only what differs from the defaults, or from the object as it is."""
         base = _object_command(self.base)
         if self.obj is None:
-            asked = {name: value for name, value in asked.items() if value and value != getattr(plain, name)}
-            head = f"fairing.make_fill({base}, {request.picks()!r}"
+            head, before, link = f"fairing.make_fill({base}, {self.request.picks()!r}", FillRequest(), None
         else:
-            head = f"fairing.change_fill({_object_command(self.obj)}, {request.picks()!r}, base={base}"
-        tail = "".join(f", {name}={value!r}" for name, value in asked.items())
-        if self.reference:
-            tail += f", reference=({_object_command(self.reference[0])}, {list(self.reference[1])!r})"
-        elif self.obj is not None:
-            tail += ", reference=None"
+            head = f"fairing.change_fill({_object_command(self.obj)}"
+            before, link = read_request(self.obj), reference_link(self.obj.Reference)
+            if self.obj.Edges[0] is not self.base or self.request.picks() != before.picks():
+                head += f", {self.request.picks()!r}, base={base}"
+        tail = "".join(f", {name}={value!r}" for name, value in self.request.differences(before).items())
+        if self.reference != link:
+            tail += f", reference={_reference_command(self.reference)}"
         return f"{head}{tail})"
 
 
+def _reference_command(reference) -> str:
+    return f"({_object_command(reference[0])}, {list(reference[1])!r})" if reference else "None"
+
+
 def _object_command(obj: App.DocumentObject) -> str:
-    if obj.Document is App.ActiveDocument or obj.Document.Name == App.ActiveDocument.Name:
+    if obj.Document.Name == App.ActiveDocument.Name:
         return f"App.ActiveDocument.getObject({obj.Name!r})"
     return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"

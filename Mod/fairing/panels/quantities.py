@@ -23,6 +23,14 @@ def angle_text(degrees: float) -> str:
     return f"{degrees:.{figures}f}\u00b0"
 
 
+def show_quantity(spin, value: float, unit) -> None:
+    """Puts a value in mm or degrees into a Gui::QuantitySpinBox with every figure that counts: on its own it rounds to
+    the two decimals of the user's preferences, and the value with them."""
+    quantity = App.Units.Quantity(value, unit)
+    quantity.Format = {"Precision": 6, "NumberFormat": "g", "Denominator": 16}
+    spin.setProperty("value", quantity)
+
+
 def deviation_text(side: dict) -> str:
     """What a side misses most plainly: its angle, or its gap where it is only touched."""
     if side["asked"] == "G0":

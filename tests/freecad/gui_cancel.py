@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Leaving the panel at any moment, in every way: nothing stays behind, in the document, the view or the threads."""
+
+import threading
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+import gui
+import support
+
+LONG_ANGLE = 1e-9  # degrees: out of reach, so that the refinement goes on for seconds
+
+
+def solving_threads():
+    return [thread for thread in threading.enumerate() if thread.name == "fairing"]
+
+
+def open_panel(document, edge):
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(document.Name, "Base", edge)
+    Gui.runCommand("Fairing_FillHole")
+    gui.pump(0.05)
+    assert gui.panel_is_open()
+
+
+def start_a_long_solve(document, edge):
+    open_panel(document, edge)
+    gui.wait_for_verdict()
+    gui.type_into("angleSpin", f"{LONG_ANGLE} deg")
+    gui.wait_for(lambda: gui.widget("stopButton").isVisible(), "the progress bar of a long solve")
+    assert solving_threads()
+
+
+def nothing_is_left(document, nodes):
+    assert not gui.panel_is_open()
+    assert not solving_threads()
+    assert [obj.Name for obj in document.Objects] == ["Base"] and not document.UndoNames
+    assert scene_size() == nodes, "the preview stays in the scene"
+
+
+def scene_size():
+    return Gui.ActiveDocument.ActiveView.getSceneGraph().getNumChildren()
+
+
+gui.start()
+document, base, edges = support.example()
+view = gui.look_at_all()
+nodes = scene_size()
+
+# Cancel with the result there, and while solving.
+open_panel(document, edges[0])
+gui.wait_for_verdict()
+assert scene_size() > nodes
+gui.press("Cancel")
+nothing_is_left(document, nodes)
+
+start_a_long_solve(document, edges[0])
+gui.picture("6_long_solve")
+began = time.monotonic()
+gui.press("Cancel")
+assert time.monotonic() - began < 2.5, "Cancel keeps the user waiting"
+gui.wait_for(lambda: not solving_threads(), "the solve to stop")
+nothing_is_left(document, nodes)
+
+# The window stays alive while solving: its event loop turns around at once.
+start_a_long_solve(document, edges[0])
+longest = 0.0
+for _ in range(50):
+    began = time.monotonic()
+    gui.pump(0.0)
+    gui.QtGui.QApplication.processEvents()
+    longest = max(longest, time.monotonic() - began)
+assert longest < 0.25, f"the window was frozen for {longest:.2f} s"
+
+# Stop: the panel stays and works on.
+gui.widget("stopButton").click()
+gui.wait_for_verdict("Stopped")
+gui.type_into("angleSpin", "0.02 deg")
+gui.wait_for_verdict()
+
+# Esc in the panel's view.
+gui.click(view, base.Shape.Faces[0].CenterOfMass)
+assert gui.panel_is_open()
+gui.key("Escape")
+gui.wait_for(lambda: not gui.panel_is_open(), "Esc to close the panel")
+gui.wait_for(lambda: not solving_threads(), "the solve to stop")
+nothing_is_left(document, nodes)
+
+# OK pressed before the surface is there waits for it and no longer.
+open_panel(document, edges[0])
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK to take effect")
+support.is_filled(document.Fill, base, edges)
+assert document.UndoNames == ["Fill hole"]
+document.undo()
+assert [obj.Name for obj in document.Objects] == ["Base"]
+document.clearUndos()
+
+# With the preview off OK computes.
+open_panel(document, edges[0])
+gui.widget("previewCheck").setChecked(False)
+gui.wait_for_verdict("The preview is off")
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK to take effect")
+support.is_filled(document.Fill, base, edges)
+document.undo()
+document.clearUndos()
+
+# Apply makes the object and goes on; each Apply is a step of its own.
+open_panel(document, edges[0])
+gui.wait_for_verdict()
+gui.press("Apply")
+assert gui.panel_is_open() and document.UndoNames == ["Fill hole"]
+support.is_filled(document.Fill, base, edges)
+gui.widget("energyCombo").setCurrentIndex(1)
+gui.wait_for_verdict()
+gui.press("Apply")
+assert document.Fill.Energy == "membrane" and len(document.UndoNames) == 2
+gui.widget("energyCombo").setCurrentIndex(0)
+gui.wait_for_verdict()
+gui.press("Cancel")
+assert document.Fill.Energy == "membrane" and document.Fill.ViewObject.Visibility
+assert len(document.UndoNames) == 2
+
+# The document closes under the panel, idle and solving.
+App.closeDocument(document.Name)
+for start in (open_panel, start_a_long_solve):
+    document, base, edges = support.example()
+    gui.look_at_all()
+    start(document, edges[0])
+    App.closeDocument(document.Name)
+    gui.wait_for(lambda: not gui.panel_is_open() and not solving_threads(), "the panel to go with its document")
+assert not App.listDocuments()
+print("passed")

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Picking inside the panel, labels in the 3D view, and what the panel says to bad input."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtGui
+
+import gui
+import support
+
+
+def middle(edge):
+    first, last = edge.ParameterRange
+    return edge.valueAt((first + last) / 2)
+
+
+def says(start):
+    """A red line; nothing to press OK on."""
+    gui.wait_for(lambda: start in gui.verdict(), f"'{start}', there is '{gui.verdict()}'")
+    color = gui.widget("verdictLabel").palette().color(QtGui.QPalette.WindowText)
+    assert color.red() > 150 > color.green(), "not a red line"
+    assert "\n" not in gui.verdict() and "Traceback" not in gui.verdict()
+    gui.press("Ok")
+    assert gui.panel_is_open() and document.Objects == before and not document.UndoNames
+
+
+gui.start()
+document, base, edges = support.example()
+view = gui.look_at_all()
+before = document.Objects
+
+# Nothing selected: the panel asks, and takes what is picked with the mouse.
+Gui.runCommand("Fairing_FillHole")
+gui.pump(0.2)
+assert gui.widget("promptLabel").isVisible() and not gui.widget("boundaryTable").isVisible()
+gui.press("Ok")
+assert gui.panel_is_open() and document.Objects == before
+gui.click(view, middle(base.Shape.getElement(edges[1])))
+gui.wait_for_verdict("Meets all 4 edges")
+assert not gui.widget("promptLabel").isVisible() and not Gui.Selection.hasSelection()
+
+# What is neither an edge nor a face is refused with a reason in the status bar.
+Gui.Selection.addSelection(document.Name, base.Name, "Vertex1")
+assert not Gui.Selection.hasSelection()
+gui.wait_for(lambda: "Pick an edge" in Gui.getMainWindow().statusBar().currentMessage(), "the reason")
+
+# An edge that leads nowhere: a red line. Another edge of the hole: all is well again.
+outer = next(f"Edge{n}" for n, edge in enumerate(base.Shape.Edges, 1) if edge.BoundBox.XMax > 110)
+shared = next(f"Edge{n}" for n, edge in enumerate(base.Shape.Edges, 1)
+              if len(base.Shape.ancestorsOfType(edge, support.Part.Face)) == 2)
+Gui.Selection.addSelection(document.Name, base.Name, outer)
+says("12 sides")
+gui.picture("7_bad_pick")
+Gui.Selection.addSelection(document.Name, base.Name, shared)
+says(f"dge {shared[4:]}")
+Gui.Selection.addSelection(document.Name, base.Name, edges[2])
+gui.wait_for_verdict("Meets all 4 edges")
+
+# Numbers that make no sense.
+gui.widget("gapAutoCheck").setChecked(False)
+gui.type_into("gapSpin", "0.0 mm")
+says("tolerance must be")
+gui.widget("gapAutoCheck").setChecked(True)
+gui.wait_for_verdict()
+gui.type_into("angleSpin", "0.0 deg")
+says("angle tolerance must be")
+gui.type_into("angleSpin", "0.02 deg")
+gui.wait_for_verdict()
+
+# An edge out of tolerance is shown with its number.
+gui.type_into("angleSpin", "0.0001 deg")
+gui.widget("polesSpin").setValue(150)
+gui.wait_for_verdict("Edge")
+gui.picture("8_out_of_tolerance")
+gui.type_into("angleSpin", "0.02 deg")
+gui.widget("polesSpin").setValue(10000)
+gui.wait_for_verdict()
+
+# A click on a label turns its edge to G0, with shift all of them.
+row = [gui.widget("boundaryTable").item(row, 0).text() for row in range(4)].index(edges[0][4:])
+combo = lambda at: gui.widget("boundaryTable").cellWidget(at, 2).currentText()  # noqa: E731
+assert combo(row) == "G1"
+gui.click(view, middle(base.Shape.getElement(edges[0])))
+gui.wait_for(lambda: combo(row) == "G0", "the label to take the click")
+assert [combo(at) for at in range(4)].count("G1") == 3
+gui.click(view, middle(base.Shape.getElement(edges[0])), "shift")
+gui.wait_for(lambda: [combo(at) for at in range(4)] == ["G1"] * 4, "all edges G1")
+gui.wait_for_verdict("Meets all 4 edges")
+
+# A guide: the slider wakes up, and the surface follows it.
+other = document.addObject("Part::Feature", "Guide")
+other.Shape = base.Shape.Faces[0]
+before = document.Objects
+assert not gui.widget("lambdaSlider").isEnabled()
+gui.widget("guideButton").click()
+Gui.Selection.addSelection(document.Name, "Guide", "Face1")
+gui.wait_for(lambda: gui.widget("lambdaSlider").isEnabled(), "the guide to be taken")
+gui.widget("lambdaSlider").setValue(300)
+gui.wait_for(lambda: gui.widget("lambdaSpin").value() > 1.0, "the weight")
+gui.wait_for_verdict()
+gui.picture("9_guided")
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+fill = document.Fill
+assert fill.Reference == (other, ["Face1"]) and fill.Lambda > 1.0 and fill.isValid()
+print("passed")
