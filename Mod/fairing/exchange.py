@@ -24,7 +24,7 @@ def native_shape_of(brep: bytes):
 
 
 def part_shape(brep: bytes) -> Part.Shape:
-    """A Part.Shape out of BREP text."""
+    """A Part.Face, Part.Shell ... out of BREP text."""
     shape = Part.Shape()
     shape.importBrepFromString(brep.decode("ascii"), False)
-    return shape
+    return Part.Compound([shape]).childShapes()[0]  # of its own type, not just a Part.Shape

@@ -40,7 +40,7 @@ class MemoryBuffer : public std::streambuf {
 };
 
 Error notAShape() {
-  return {.code = ErrorCode::FileNotAShape, .detail = "the data"};
+  return {.code = ErrorCode::FileNotAShape, .detail = "The data"};
 }
 
 /// FreeCAD's exportBinary: the set of shapes, then index, location and orientation of the root as

@@ -165,7 +165,9 @@ ShapeFill fill(const ShapeIndex& shape,
   options.maxPoles = maxPoles;
   const occt::ResultMode mode = choice(occt::resultModeFrom, "result", result);
   const py::gil_scoped_release release;
-  return valueOf(occt::fillShape(shape, picks, options, mode, progress));
+  auto made = occt::fillShape(shape, picks, options, mode, progress);
+  if (made && progress != nullptr) progress->setFraction(1.0);
+  return valueOf(std::move(made));
 }
 
 py::object measure(const ShapeIndex& shape,

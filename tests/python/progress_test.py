@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solving on a thread: others go on meanwhile, and it can be stopped."""
+
+import threading
+import time
+
+import pytest
+
+from fairing import _fairing
+
+OUT_OF_REACH = 1e-9  # degrees; refining towards it takes seconds
+
+
+def start(shape, edges, progress):
+    """A thread that solves for long; its outcome lands in the list returned with it."""
+    outcome = []
+
+    def work():
+        try:
+            outcome.append(shape.fill(edges[:1], angle=OUT_OF_REACH, progress=progress))
+        except _fairing.FairingError as error:
+            outcome.append(error)
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    return thread, outcome
+
+
+def test_other_threads_run_while_it_solves(shape, edges):
+    progress = _fairing.Progress()
+    thread, _ = start(shape, edges, progress)
+    longest, turns, last = 0.0, 0, time.monotonic()
+    while thread.is_alive() and turns < 200:
+        time.sleep(0.001)
+        now = time.monotonic()
+        longest, turns, last = max(longest, now - last), turns + 1, now
+    progress.abort()
+    thread.join()
+    assert turns > 50 and longest < 0.25, (turns, longest)
+
+
+def test_abort_stops_it_soon(shape, edges):
+    progress = _fairing.Progress()
+    thread, outcome = start(shape, edges, progress)
+    while progress.fraction < 0.2 and thread.is_alive():
+        time.sleep(0.01)
+    began = time.monotonic()
+    progress.abort()
+    thread.join()
+    assert time.monotonic() - began < 2.0
+    assert progress.aborted and outcome[0].code == "Cancelled"
+
+
+def test_abort_before_it_starts(shape, edges):
+    progress = _fairing.Progress()
+    progress.abort()
+    with pytest.raises(_fairing.FairingError) as caught:
+        shape.fill(edges[:1], progress=progress)
+    assert caught.value.code == "Cancelled"
+
+
+def test_progress_ends_at_one(shape, edges):
+    progress = _fairing.Progress()
+    assert progress.fraction == 0.0 and not progress.aborted
+    shape.fill(edges[:1], progress=progress)
+    assert progress.fraction == pytest.approx(1.0)
