@@ -3,7 +3,6 @@
 
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -13,11 +12,15 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
+#include <limits>
+#include <set>
 
 #include "occt/check_shape.h"
+#include "occt/edge_curve.h"
 #include "occt/guarded.h"
 
 namespace fairing::occt {
@@ -66,32 +69,54 @@ double sewingTolerance(const ShapeIndex& base, const std::vector<JoinPart>& part
   return tolerance;
 }
 
-/// Edges with a face beside them that the sewn shape still has only once.
-std::vector<int> stillFree(const ShapeIndex& base,
-                           const std::vector<JoinPart>& parts,
-                           const BRepBuilderAPI_Sewing& sewing) {
+/// The side of the loop that runs nearest to the middle of an edge.
+const boundary::BoundarySide& nearestSide(const boundary::BoundaryLoop& loop,
+                                          const TopoDS_Edge& edge) {
+  constexpr int kSamples = 16;
+  const Eigen::Vector3d middle = EdgeCurve(edge, Direction::Forward).point(0.5);
+  const boundary::BoundarySide* nearest = &loop.sides.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const boundary::BoundarySide& side : loop.sides) {
+    for (int i = 0; i <= kSamples; ++i) {
+      const double distance = (side.ribbon.curve(double(i) / kSamples).point - middle).norm();
+      if (distance >= least) continue;
+      least = distance;
+      nearest = &side;
+    }
+  }
+  return *nearest;
+}
+
+/// Sides with a face beside them along which the new faces still end freely in the sewn shape.
+std::set<int> stillFree(const std::vector<JoinPart>& parts, const BRepBuilderAPI_Sewing& sewing) {
   TopTools_IndexedDataMapOfShapeListOfShape facesOfEdge;
   TopExp::MapShapesAndAncestors(sewing.SewedShape(), TopAbs_EDGE, TopAbs_FACE, facesOfEdge);
-  std::vector<int> open;
+  std::set<int> open;
   for (const JoinPart& part : parts) {
-    for (const boundary::BoundarySide& side : part.loop.sides) {
-      if (side.face == 0) continue;
-      const TopoDS_Shape& edge = base.edge(side.edge);
+    for (TopExp_Explorer old(part.faces, TopAbs_EDGE); old.More(); old.Next()) {
+      const TopoDS_Shape& edge = old.Current();
       const TopoDS_Shape now =
           sewing.IsModifiedSubShape(edge) ? sewing.ModifiedSubShape(edge) : edge;
-      bool free = false;
       for (TopExp_Explorer it(now, TopAbs_EDGE); it.More(); it.Next()) {
         const TopTools_ListOfShape* faces = facesOfEdge.Seek(it.Current());
-        free = free || faces == nullptr || faces->Extent() < 2;
+        if (faces != nullptr && faces->Extent() > 1) continue;
+        const boundary::BoundarySide& side = nearestSide(part.loop, TopoDS::Edge(it.Current()));
+        if (side.face != 0) open.insert(side.edge);
       }
-      if (free) open.push_back(side.edge);
     }
   }
   return open;
 }
 
-/// A closed shell becomes a solid that encloses a positive volume.
-TopoDS_Shape solidWhereClosed(const TopoDS_Shape& shape) {
+/// A closed shell becomes a solid that encloses a positive volume; also inside a compound.
+TopoDS_Shape solidsWhereClosed(const TopoDS_Shape& shape) {
+  if (shape.ShapeType() == TopAbs_COMPOUND) {
+    std::vector<TopoDS_Shape> members;
+    for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
+      members.push_back(solidsWhereClosed(it.Value()));
+    }
+    return compoundOf(members);
+  }
   if (shape.ShapeType() != TopAbs_SHELL || !BRep_Tool::IsClosed(shape)) return shape;
   TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shape)).Solid();
   BRepLib::OrientClosedSolid(solid);
@@ -108,12 +133,12 @@ Result<TopoDS_Shape> sewIntoBase(const ShapeIndex& base,
   }
   for (const JoinPart& part : parts) sewing.Add(part.faces);
   sewing.Perform();
-  const std::vector<int> open = stillFree(base, parts, sewing);
+  const std::set<int> open = stillFree(parts, sewing);
   if (!open.empty()) {
     return fail(
-        {.code = ErrorCode::SewingOpen, .edge = open.front(), .value = double(open.size())});
+        {.code = ErrorCode::SewingOpen, .edge = *open.begin(), .value = double(open.size())});
   }
-  const TopoDS_Shape result = solidWhereClosed(sewing.SewedShape());
+  const TopoDS_Shape result = solidsWhereClosed(sewing.SewedShape());
   if (const auto error = checkShape(result)) return fail(*error);
   return result;
 }
