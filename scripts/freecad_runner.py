@@ -29,7 +29,9 @@ def run_script():
     sys.path.insert(0, os.path.dirname(os.path.abspath(sys.argv[0])))
     status = 0
     try:
-        runpy.run_path(sys.argv[0], run_name="__main__")
+        # FreeCAD itself runs Python lines in __main__ and counts on these names there.
+        names = {"App": FreeCAD, "Gui": sys.modules.get("FreeCADGui")}
+        runpy.run_path(sys.argv[0], init_globals=names, run_name="__main__")
     except SystemExit as end:
         status = end.code if isinstance(end.code, int) else int(end.code is not None)
         if isinstance(end.code, str):

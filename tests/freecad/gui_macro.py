@@ -56,7 +56,7 @@ with open(os.path.join(FOLDER, "fill.FCMacro")) as file:
 lines = [line for line in macro.splitlines() if "fairing" in line]
 print("\n".join(lines))
 assert lines[0] == "import fairing" and lines[-2].startswith("fairing.make_fill(")
-assert lines[-1] == "fairing.change_fill(App.ActiveDocument.getObject('Fill'), energy='membrane')"
+assert lines[-1] == "fairing.change_fill(FreeCAD.ActiveDocument.getObject('Fill'), energy='membrane')"
 
 second, _, _ = support.example("Second")
 App.setActiveDocument(second.Name)

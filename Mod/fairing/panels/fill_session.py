@@ -117,7 +117,8 @@ class FillSession:
         title = "Fill hole" if self.obj is None else f"Edit {self.obj.Label}"
         self.document.openTransaction(title)
         try:
-            Gui.addModule("fairing")
+            for module in ("FreeCAD", "fairing"):
+                Gui.addModule(module)
             Gui.doCommand(self._command())
             if self.obj is None:
                 self.obj = self.document.ActiveObject
@@ -160,5 +161,5 @@ def _reference_command(reference) -> str:
 
 def _object_command(obj: App.DocumentObject) -> str:
     if obj.Document.Name == App.ActiveDocument.Name:
-        return f"App.ActiveDocument.getObject({obj.Name!r})"
-    return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
+        return f"FreeCAD.ActiveDocument.getObject({obj.Name!r})"
+    return f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
