@@ -58,7 +58,7 @@ CurveSample moved(const Ribbon& ribbon, double share, double t) {
 spline::BsplineCurve movedCurve(const Ribbon& ribbon, double share, double tolerance) {
   const auto given = [&](double t) { return moved(ribbon, share, t); };
   const auto knots =
-      spline::knotsThatFit(given, spline::KnotVector::bezier(kDegree), tolerance, kMostPoles);
+      spline::knotsThatFit({given}, spline::KnotVector::bezier(kDegree), tolerance, kMostPoles);
   return spline::fitCurve(given, knots).curve;
 }
 

@@ -89,11 +89,12 @@ KnotVector chooseKnots(const std::vector<DirectedSide>& sides,
   KnotVector knots = KnotVector::bezier(p);
   for (const BsplineCurve& c : exact)
     knots = merged(knots, c.knots.raised(p - c.knots.degree()), kSameKnot);
+  std::vector<spline::CurveFunction> given;
   for (const DirectedSide& s : others) {
     knots = merged(knots, breakKnots(s, p), kSameKnot);
-    knots = spline::knotsThatFit(curveFunction(s), knots, fitTolerance, maxPoles);
+    given.push_back(curveFunction(s));
   }
-  return knots;
+  return spline::knotsThatFit(given, knots, fitTolerance, maxPoles);
 }
 
 SideCurve curveOnKnots(const DirectedSide& side, const KnotVector& knots) {

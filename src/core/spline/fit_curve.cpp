@@ -67,13 +67,17 @@ CurveFit fitCurve(const CurveFunction& given, const KnotVector& knots) {
   return fit;
 }
 
-KnotVector knotsThatFit(const CurveFunction& given,
+KnotVector knotsThatFit(const std::vector<CurveFunction>& given,
                         KnotVector knots,
                         double tolerance,
                         int maxPoles) {
   while (knots.poleCount() < maxPoles) {
-    const std::vector<double> errors = fitCurve(given, knots).spanErrors;
     const std::vector<double> breaks = knots.breaks();
+    std::vector<double> errors(breaks.size() - 1, 0.0);
+    for (const CurveFunction& curve : given) {
+      const std::vector<double> own = fitCurve(curve, knots).spanErrors;
+      for (std::size_t s = 0; s < errors.size(); ++s) errors[s] = std::max(errors[s], own[s]);
+    }
     bool fits = true;
     for (std::size_t s = 0; s < errors.size(); ++s) {
       if (errors[s] <= tolerance) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <functional>
+#include <vector>
 
 #include "core/spline/bspline_curve.h"
 
@@ -22,9 +23,10 @@ struct CurveFit {
 /// degree >= 3.
 [[nodiscard]] CurveFit fitCurve(const CurveFunction& given, const KnotVector& knots);
 
-/// The knots on which a fit is within `tolerance` mm: spans over it are bisected until none is, or
-/// until there are `maxPoles` control points.
-[[nodiscard]] KnotVector knotsThatFit(const CurveFunction& given,
+/// The knots on which a fit of every given curve is within `tolerance` mm: spans over which any is
+/// off are bisected until none is, or until there are `maxPoles` control points. The order of the
+/// curves is irrelevant.
+[[nodiscard]] KnotVector knotsThatFit(const std::vector<CurveFunction>& given,
                                       KnotVector knots,
                                       double tolerance,
                                       int maxPoles);
