@@ -33,13 +33,16 @@ EdgeEnds edgeEnds(const LayoutPatch& patch, PatchEdge edge) {
   return {{u0, v1}, {u0, v0}};
 }
 
-// The middle of the span that holds t, unless the span is as short as it may be.
+// The middle of the span that holds t, unless the span is as short as it may be. A place on a break
+// belongs to both spans: rounding must not choose between them.
 void wishMiddle(const spline::KnotVector& knots, double t, std::set<double>& wishes) {
+  const double width = knots.last() - knots.first(), rounding = 1e-9 * width;
   const std::vector<double> breaks = knots.breaks();
-  const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
-  const double low = *(above - 1), high = *above;
-  if (high - low > 2.0 * kShortestSpan * (knots.last() - knots.first()))
-    wishes.insert(0.5 * (low + high));
+  for (std::size_t s = 0; s + 1 < breaks.size(); ++s) {
+    const double low = breaks[s], high = breaks[s + 1];
+    const bool holds = low - rounding <= t && t <= high + rounding;
+    if (holds && high - low > 2.0 * kShortestSpan * width) wishes.insert(0.5 * (low + high));
+  }
 }
 
 // An angle the edge's own tangent forces is not worth a knot; what is beyond it by this factor is.
