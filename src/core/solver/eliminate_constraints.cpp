@@ -81,6 +81,10 @@ BlockSystem buildSystem(const ConstraintBlock& block, const Expressions& all) {
 // Writes the pivot unknowns of the block as expressions of the others.
 //   lead P = Q [R1 R2; 0 0],  x_pivot = R1^-1 (Q' right - R2 x_others - Q' rest x_rest)
 void solveBlock(const BlockSystem& system, Expressions& all, AffineSpace& space) {
+  if (system.lead.size() == 0) {  // no rows, or all they could be solved for is known already
+    space.residual = std::max(space.residual, system.right.lpNorm<Eigen::Infinity>());
+    return;
+  }
   Eigen::ColPivHouseholderQR<MatrixXd> qr(system.lead.rows(), system.lead.cols());
   qr.setThreshold(kRankThreshold);
   qr.compute(system.lead);
