@@ -44,8 +44,13 @@ def run_script():
 
 
 if FreeCAD.GuiUp:
+    import FreeCADGui
     from PySide import QtCore
 
-    QtCore.QTimer.singleShot(200, run_script)
+    def start():
+        FreeCADGui.getMainWindow().statusBar().clearMessage()  # FreeCAD's warnings about its own parts
+        run_script()
+
+    QtCore.QTimer.singleShot(200, start)
 else:
     run_script()
