@@ -3,8 +3,8 @@
 
 namespace fairing {
 
-/// What a fill has to meet. Relative members are multiplied by the diagonal of the loop's bounding
-/// box.
+/// What a fill has to meet. Relative members are multiplied by the loop's diagonal
+/// (boundary_loop.h).
 struct Tolerance {
   double gap = 0.0;  ///< largest distance of a boundary edge from the patches, mm; 0 = relativeGap
                      ///< * diagonal

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/boundary/constraint_normal.h"
@@ -13,7 +14,7 @@ namespace fairing::boundary {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr int kBoxSamples = 32;
+constexpr int kSizeSamples = 32;
 // Ends of neighbouring edges farther apart than this share of the diagonal are an open loop; CAD
 // vertices of real files are up to 1e-4 wide.
 constexpr double kLargestCornerGap = 5e-4;
@@ -28,12 +29,19 @@ double measureLength(const Ribbon& ribbon) {
   return length;
 }
 
+// The largest distance between two points, and not the diagonal of a box along the axes: turning
+// the hole must not change it.
 double measureDiagonal(const std::vector<BoundarySide>& sides) {
-  Eigen::AlignedBox3d box;
+  std::vector<Eigen::Vector3d> points;
   for (const BoundarySide& side : sides)
-    for (int k = 0; k <= kBoxSamples; ++k)
-      box.extend(side.ribbon.curve(static_cast<double>(k) / kBoxSamples).point);
-  return box.diagonal().norm();
+    for (int k = 0; k <= kSizeSamples; ++k)
+      points.push_back(side.ribbon.curve(static_cast<double>(k) / kSizeSamples).point);
+  double largest = 0.0;
+  for (const Eigen::Vector3d& p : points) {
+    if (!p.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+    for (const Eigen::Vector3d& q : points) largest = std::max(largest, (p - q).squaredNorm());
+  }
+  return std::sqrt(largest);
 }
 
 bool asksForNormals(const BoundarySide& side) {

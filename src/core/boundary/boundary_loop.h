@@ -38,7 +38,7 @@ struct Corner {
 struct BoundaryLoop {
   std::vector<BoundarySide> sides;
   std::vector<Corner> corners;  ///< corners[i] is at the end of sides[i]
-  double diagonal = 0.0;        ///< of the bounding box of the sides, mm
+  double diagonal = 0.0;        ///< largest distance between two points of the sides, mm
 };
 
 /// Completes a loop whose sides are given: corners classified, lengths and diagonal measured from
