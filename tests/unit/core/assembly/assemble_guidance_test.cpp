@@ -64,7 +64,7 @@ double integrand(const spline::SurfaceJet& r,
   return lambda * tilt + gamma * (r.point - s).squaredNorm();
 }
 
-// The oracle: twelve Gauss points on a mesh that holds every knot of patch and guide.
+// The oracle: eight Gauss points on a mesh that holds every knot of patch and guide.
 double continuousEnergy(const BsplineSurface& patch, const Guidance& g) {
   const auto& [normals, reference] = *g.continuous;
   BsplineSurface fine = patch;
@@ -75,7 +75,7 @@ double continuousEnergy(const BsplineSurface& patch, const Guidance& g) {
   };
   fine.u = split(split(fine.u, normals.u), reference.u);
   fine.v = split(split(fine.v, normals.v), reference.v);
-  return 0.5 * integral(fine, 12, [&](double u, double v) {
+  return 0.5 * integral(fine, 8, [&](double u, double v) {
            const double s = u / patch.u.last(), t = v / patch.v.last();
            return integrand(patch.jet(u, v),
                             normals.evaluate(s, t),
@@ -196,7 +196,7 @@ TEST(AssembleGuidance, ADenseGridOfUnitWeightsTendsToTheIntegral) {
     return value(guidance);
   };
   const double limit = value(exact);
-  const double coarse = std::abs(sampled(20) - limit), fine = std::abs(sampled(80) - limit);
+  const double coarse = std::abs(sampled(10) - limit), fine = std::abs(sampled(40) - limit);
   EXPECT_LT(fine, 0.35 * coarse);  // a quarter, and a margin for the second order
   EXPECT_LT(fine, 0.1 * limit);
 }

@@ -49,8 +49,14 @@ TEST(BoundaryLoop, LengthsAreArcLengths) {
   EXPECT_NEAR(loop.sides[3].length, 2.0, 1e-12);
 }
 
-TEST(BoundaryLoop, DiagonalIsThatOfTheBoundingBox) {
+TEST(BoundaryLoop, DiagonalIsTheLargestDistanceAcross) {
   EXPECT_NEAR(loopOf(plane(), rectangle(0.0, 3.0, 0.0, 4.0)).diagonal, 5.0, 1e-12);
+}
+
+TEST(BoundaryLoop, DiagonalDoesNotChangeWhenTheHoleIsTurned) {
+  const Sides sides = sidesOf(plane(), rectangle(0.0, 3.0, 0.0, 4.0));
+  const Eigen::Affine3d turn(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 2, 3).normalized()));
+  EXPECT_NEAR(finished(moved(sides, turn)).diagonal, 5.0, 1e-12);
 }
 
 TEST(BoundaryLoop, OneSmoothSupportAgreesWithItselfAtEveryCorner) {
