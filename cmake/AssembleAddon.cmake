@@ -26,3 +26,13 @@ foreach(pair Mod/fairing:fairing resources:resources)
     mirror(${from} ${to})
   endif()
 endforeach()
+
+# Without Qt's lrelease (Debian: qttools5-dev-tools) the add-on speaks English only.
+find_program(LRELEASE NAMES lrelease PATHS /usr/lib/qt5/bin /usr/lib/qt6/bin)
+if(LRELEASE)
+  file(GLOB texts ${SOURCE}/resources/translations/*.ts)
+  foreach(text ${texts})
+    cmake_path(GET text STEM name)
+    execute_process(COMMAND ${LRELEASE} -silent ${text} -qm ${ADDON}/resources/translations/${name}.qm)
+  endforeach()
+endif()

@@ -11,6 +11,7 @@ from ..translation import translate
 from .quantities import angle_text, length_text
 
 EDGE, FACE, CONTINUITY, GAP, ANGLE = range(5)
+NUMBER_WIDTH = 64  # pixels
 LARGEST_HEIGHT = 6  # rows shown without scrolling
 
 
@@ -44,7 +45,7 @@ class BoundaryTable(QtCore.QObject):
             combo.setEnabled(has_face)
             combo.blockSignals(False)
         self._widget.setVisible(bool(loop))
-        self._fit_height()
+        self.fit_height()
 
     def show_report(self, report) -> None:
         """Fills in what was measured; None: nothing is."""
@@ -57,6 +58,15 @@ class BoundaryTable(QtCore.QObject):
             self._set(row, ANGLE, _angle_of(side) if side else "")
             for column in (EDGE, FACE, GAP, ANGLE):
                 self._widget.item(row, column).setToolTip(_explanation(side, report) if side else "")
+
+    def needed_width(self) -> int:
+        """Pixels for every column to show in full, numbers that are still to come included."""
+        header = self._widget.horizontalHeader()
+        widths = [max(header.sectionSizeHint(column), self._widget.sizeHintForColumn(column))
+                  for column in range(self._widget.columnCount())]
+        for column in (GAP, ANGLE):
+            widths[column] = max(widths[column], NUMBER_WIDTH)
+        return sum(widths) + 2 * self._widget.frameWidth()
 
     def select(self, edge: int) -> None:
         if edge in self._rows:
@@ -92,7 +102,8 @@ class BoundaryTable(QtCore.QObject):
             self._widget.setItem(row, column, item)
         item.setText(text)
 
-    def _fit_height(self) -> None:
+    def fit_height(self) -> None:
+        """Shows every row of a usual hole; once more when the window's style has been applied."""
         rows = min(self._widget.rowCount(), LARGEST_HEIGHT)
         height = self._widget.horizontalHeader().sizeHint().height() + 2 * self._widget.frameWidth()
         self._widget.setFixedHeight(height + rows * self._widget.verticalHeader().defaultSectionSize())

@@ -50,7 +50,7 @@ class FillChoices(QtCore.QObject):
         """What an automatic limit came to."""
         if self._ui.gapAutoCheck.isChecked():
             self._ui.gapSpin.blockSignals(True)
-            show_quantity(self._ui.gapSpin, limits["gap"], App.Units.Length)
+            show_quantity(self._ui.gapSpin, limits["gap"], App.Units.Length, figures=3)
             self._ui.gapSpin.blockSignals(False)
 
     def _show(self) -> None:

@@ -25,7 +25,8 @@ from .status import Status
 
 LONGEST_STOP = 2.0  # s, what closing waits for a solve that was told to stop
 SHOWS_PROGRESS_AFTER = 0.15  # s: a bar that only flashes up is noise
-NARROWEST = 320  # pixels the panel needs beside the buttons
+NARROWEST = 320  # pixels of a dock that FreeCAD's three buttons fit into
+MARGINS = 60  # pixels left and right of the table, a scroll bar included
 
 
 class FillPanel:
@@ -250,10 +251,13 @@ class FillPanel:
 
     def _make_room(self) -> None:
         """A dock too narrow for the buttons is widened: nothing of the panel is cut off."""
-        window = Gui.getMainWindow()
+        if self._is_closed:
+            return
+        self._table.fit_height()
+        window, needed = Gui.getMainWindow(), max(NARROWEST, self._table.needed_width() + MARGINS)
         for dock in window.findChildren(QtGui.QDockWidget):
-            if not self._is_closed and dock.isAncestorOf(self._ui.boundaryTable) and dock.width() < NARROWEST:
-                window.resizeDocks([dock], [NARROWEST], QtCore.Qt.Horizontal)
+            if dock.isAncestorOf(self._ui.boundaryTable) and dock.width() < needed:
+                window.resizeDocks([dock], [needed], QtCore.Qt.Horizontal)
 
     # --- closing ---
 

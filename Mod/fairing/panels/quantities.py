@@ -23,11 +23,11 @@ def angle_text(degrees: float) -> str:
     return f"{degrees:.{figures}f}\u00b0"
 
 
-def show_quantity(spin, value: float, unit) -> None:
-    """Puts a value in mm or degrees into a Gui::QuantitySpinBox with every figure that counts: on its own it rounds to
-    the two decimals of the user's preferences, and the value with them."""
+def show_quantity(spin, value: float, unit, figures: int = 6) -> None:
+    """Puts a value in mm or degrees into a Gui::QuantitySpinBox with that many figures: on its own it rounds to the two
+    decimals of the user's preferences, and the value with them."""
     quantity = App.Units.Quantity(value, unit)
-    quantity.Format = {"Precision": 6, "NumberFormat": "g", "Denominator": 16}
+    quantity.Format = {"Precision": figures, "NumberFormat": "g", "Denominator": 16}
     spin.setProperty("value", quantity)
 
 
