@@ -9,7 +9,9 @@ from . import native
 
 
 def data_of(shape: Part.Shape) -> bytes:
-    """The shape as BREP text, what the native module reads."""
+    """The shape as BREP text, what the native module reads. Raises ValueError where there is none."""
+    if shape.isNull():
+        raise ValueError("The object has no shape.")
     return shape.exportBrepToString().encode("ascii")
 
 

@@ -28,10 +28,15 @@ def sheet() -> Part.BSplineSurface:
 
 def sheet_with_hole() -> Part.Shape:
     """The sheet's faces but the middle one, sewn; any of the four edges round the hole leads to it."""
+    return sheet_of(lambda i, j: (i, j) != (PIECES // 2, PIECES // 2))
+
+
+def sheet_of(is_there) -> Part.Shape:
+    """Those of the sheet's faces (i, j) that are there, sewn."""
     faces = []
     for i in range(PIECES):
         for j in range(PIECES):
-            if (i, j) != (PIECES // 2, PIECES // 2):
+            if is_there(i, j):
                 piece = sheet()
                 piece.segment(i / PIECES, (i + 1) / PIECES, j / PIECES, (j + 1) / PIECES)
                 faces.append(piece.toShape())

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench without a native module that works: it loads, and says what is wrong (the first argument) and what to do."""
+"""The workbench without a native module that works: it loads, and says what is wrong (the first argument) and what to
+do."""
 
 import sys
 

@@ -123,8 +123,9 @@ def failing_keeps_the_last_good_shape_and_says_why():
     assert not fill.isValid()
     assert "edge 99" in fill.Verdict and not fill.WithinTolerance, fill.Verdict
     assert fill.Shape.Area == area and fill.LargestAngle == largest
-    for name, value, word in (("AngleTolerance", 0.0, "angle"), ("Lambda", -1.0, "lambda"), ("Gamma", float("nan"), "gamma"),
-                              ("Degree", 99, "degree"), ("EdgeContinuity", ["nonsense"], "nonsense"),
+    for name, value, word in (("AngleTolerance", 0.0, "angle"), ("Lambda", -1.0, "lambda"),
+                              ("Gamma", float("nan"), "gamma"), ("Degree", 99, "degree"),
+                              ("EdgeContinuity", ["nonsense"], "nonsense"),
                               ("EdgeContinuity", [f"{edges[1]}=G9"], "G9")):
         good = getattr(fill, name)
         fill.Edges = (base, edges[:1])
@@ -145,12 +146,16 @@ def bad_input_leaves_the_document_as_it_was():
     document, base, edges = support.example()
     fill = fairing.make_fill(base, edges[:1])
     before = [(obj.Name, obj.State) for obj in document.Objects]
-    for picks, options in (([], {}), (["Edge99"], {}), ([edges[0], "Edge1"], {}), (["Vertex1"], {}), (edges, {"gap_tolerance": 0.0}),
-                           (edges, {"gap_tolerance": float("nan")}), (edges, {"angle_tolerance": -1.0}), (edges, {"lambda_": -1.0}),
-                           (edges, {"energy": "soap"}), (edges, {"edge_continuity": {"Edge1": "G0"}})):
+    for picks, options in (([], {}), (["Edge99"], {}), ([edges[0], "Edge1"], {}), (["Vertex1"], {}),
+                           (edges, {"gap_tolerance": 0.0}), (edges, {"gap_tolerance": float("nan")}),
+                           (edges, {"angle_tolerance": -1.0}), (edges, {"lambda_": -1.0}), (edges, {"energy": "soap"}),
+                           (edges, {"edge_continuity": {"Edge1": "G0"}})):
         assert str(raises(ValueError, lambda: fairing.make_fill(base, picks, **options)))
         assert str(raises(ValueError, lambda: fairing.change_fill(fill, picks, **options)))
         assert [(obj.Name, obj.State) for obj in document.Objects] == before
+    empty = document.addObject("Part::Feature", "Empty")
+    assert "no shape" in str(raises(ValueError, lambda: fairing.make_fill(empty, ["Edge1"])))
+    document.removeObject("Empty")
     support.is_filled(fill, base, edges)
 
 

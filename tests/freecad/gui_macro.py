@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD's macro recorder writes down while the panel is used runs again, in another document, to the same result."""
+"""What FreeCAD's macro recorder writes down while the panel is used runs again, in another document, to the same
+result."""
 
 import os
 import tempfile

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Picking inside the panel, labels in the 3D view, and what the panel says to bad input."""
 
-import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtGui
 
@@ -103,4 +102,23 @@ gui.press("Ok")
 gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 fill = document.Fill
 assert fill.Reference == (other, ["Face1"]) and fill.Lambda > 1.0 and fill.isValid()
+
+# The face to be replaced, picked before the command: its border is the hole.
+whole = support.App.newDocument("Whole")
+sheet = whole.addObject("Part::Feature", "Base")
+sheet.Shape = support.make_example.sheet_of(lambda i, j: True)
+gui.look_at_all()
+number = next(n for n, face in enumerate(sheet.Shape.Faces, 1)
+              if abs(face.CenterOfMass.x) + abs(face.CenterOfMass.y) < 30)
+Gui.Selection.addSelection("Whole", "Base", f"Face{number}")
+assert gui.action_is_enabled("Fairing_FillHole")
+Gui.runCommand("Fairing_FillHole")
+gui.wait_for_verdict("Meets all 4 edges")
+gui.widget("resultCombo").setCurrentIndex(2)
+gui.wait_for_verdict("Meets all 4 edges")
+gui.press("Ok")
+fill = whole.Fill
+assert fill.State == ["Up-to-date"] and fill.Edges == (sheet, [f"Face{number}"]) and fill.ResultMode == "base"
+assert fill.Shape.isValid() and len(fill.Shape.Faces) == len(sheet.Shape.Faces)
+assert abs(fill.Shape.Area - sheet.Shape.Area) > 1e-6 * sheet.Shape.Area and not sheet.ViewObject.Visibility
 print("passed")

@@ -6,8 +6,8 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import native, selection
-from ..translation import NOOP, translate
+from .. import selection
+from ..translation import NOOP
 
 
 class FillHoleCommand:
@@ -33,15 +33,4 @@ class FillHoleCommand:
     def Activated(self) -> None:
         from ..panels.fill_panel import FillPanel
 
-        problem = native.problem()
-        if problem:
-            show_problem(problem)
-            return
         FillPanel.show(picks=selection.current_picks())
-
-
-def show_problem(sentence: str) -> None:
-    from PySide import QtGui
-
-    App.Console.PrintError(sentence + "\n")
-    QtGui.QMessageBox.critical(Gui.getMainWindow(), translate("Fairing", "Fairing cannot work"), sentence)

@@ -86,7 +86,7 @@ def change_fill(obj: App.DocumentObject, picks: Optional[Iterable[subelements.Pi
 
     Raises FairingError with one sentence, and then the object is as it was.
     """
-    container, base = container_of(obj), base or obj.Edges[0]
+    container, base = container_of(obj), base or (obj.Edges[0] if obj.Edges else None)
     link = reference_link(changes.pop("reference", obj.Reference))
     exceptions = changes.pop("edge_continuity", None)
     request = dataclasses.replace(properties.read_request(obj), reference=reference_data(link, container), **changes)

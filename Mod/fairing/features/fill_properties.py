@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import FreeCAD as App
 
 from .. import exchange, subelements
@@ -41,7 +39,8 @@ MEASURED = (
     ("ReportEdges", "App::PropertyStringList", "Report", "The edges in the order of the hole's border"),
     ("EdgeGaps", "App::PropertyFloatList", "Report", "Largest distance from the surface, edge by edge, mm"),
     ("EdgeAngles", "App::PropertyFloatList", "Report", "Largest angle, edge by edge, degrees"),
-    ("EdgeCornerAngles", "App::PropertyFloatList", "Report", "Largest angle next to its corners, edge by edge, degrees"),
+    ("EdgeCornerAngles", "App::PropertyFloatList", "Report",
+     "Largest angle next to its corners, edge by edge, degrees"),
     ("EdgeCurvatures", "App::PropertyFloatList", "Report",
      "Largest relative difference of the curvatures across the edge, edge by edge, 0 to 1"),
     ("Poles", "App::PropertyInteger", "Report", "Number of control points"),
@@ -121,7 +120,8 @@ def write_failure(obj: App.DocumentObject, sentence: str) -> None:
 
 
 def _set_default(obj: App.DocumentObject, name: str) -> None:
-    member = {"AngleTolerance": "angle_tolerance", "MaxPoles": "max_poles"}.get(name)
-    if member:
-        defaults = {field.name: field.default for field in dataclasses.fields(FillRequest)}
-        setattr(obj, name, defaults[member])
+    """Every other property starts as FreeCAD makes it: 0, empty, the first choice."""
+    plain = FillRequest()
+    defaults = {"Continuity": plain.continuity, "AngleTolerance": plain.angle_tolerance, "MaxPoles": plain.max_poles}
+    if name in defaults:
+        setattr(obj, name, defaults[name])

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where objects live, and what the shape of one looks like from where another one lives.
 
-A container here is the Part or Body an object belongs to, None for the document itself: its placement moves all it holds.
+A container here is the Part or Body an object belongs to, None for the document itself: its placement moves all that
+it holds.
 """
 
 from __future__ import annotations

@@ -16,7 +16,8 @@ Job = Callable[[Any], Any]  # takes a native Progress; works on plain data only:
 class BackgroundSolver(QtCore.QObject):
     """Runs one job at a time; the latest request wins, and an older one that still runs is told to stop.
 
-    on_done(value, error) is called in the window's thread, for the latest job only; on_progress(fraction) while it runs.
+    on_done(value, error) is called in the window's thread, for the latest job only; on_progress(fraction) while it
+    runs.
     """
 
     def __init__(self, make_progress: Callable[[], Any], on_done, on_progress, parent=None):

@@ -20,6 +20,7 @@ from .boundary_table import BoundaryTable
 from .fill_choices import FillChoices
 from .fill_display import FillDisplay
 from .fill_session import FillSession
+from .message import show_problem
 from .picking import ClosingDocument, EscapeKey, Picking
 from .status import Status
 
@@ -37,11 +38,13 @@ class FillPanel:
         """Opens the panel for a new fill, or to edit one. False, with a message, where that cannot be."""
         problem = native.problem()
         if problem:
-            from ..commands.fill_hole import show_problem
-
             show_problem(problem)
             return False
-        session = FillSession.of_object(obj) if obj else FillSession(App.ActiveDocument, settings.new_request())
+        try:
+            session = FillSession.of_object(obj) if obj else FillSession(App.ActiveDocument, settings.new_request())
+        except ValueError as error:  # a property holds what cannot be shown
+            show_problem(str(error))
+            return False
         if picks:
             session.pick(picks.base, picks.names)
         panel = cls(session)

@@ -147,7 +147,7 @@ class FillSession:
         else:
             head = f"fairing.change_fill({_object_command(self.obj)}"
             before, link = read_request(self.obj), reference_link(self.obj.Reference)
-            if self.obj.Edges[0] is not self.base or self.request.picks() != before.picks():
+            if not self.obj.Edges or self.obj.Edges[0] is not self.base or self.request.picks() != before.picks():
                 head += f", {self.request.picks()!r}, base={base}"
         tail = "".join(f", {name}={value!r}" for name, value in self.request.differences(before).items())
         if self.reference != link:
