@@ -14,6 +14,7 @@
 #include <set>
 
 #include "occt/from_occt.h"
+#include "occt/guarded.h"
 
 namespace fairing::occt {
 namespace {
@@ -37,8 +38,16 @@ struct Candidate {
   std::vector<Vector3d> samples = {};
   double length = 0.0;
   double tolerance = 0.0;
-  EdgeMatch match = EdgeMatch::Same;
+
+  [[nodiscard]] bool isLone() const { return staying.empty() && !removed; }
 };
+
+/// The refusal of an edge that borders no hole.
+Error notFree(int edge, std::size_t faces) {
+  return {.code = faces > 2 ? ErrorCode::EdgeWithManyFaces : ErrorCode::EdgeNotFree,
+          .edge = edge,
+          .value = double(faces)};
+}
 
 struct EndPoint {
   Vector3d point;
@@ -87,10 +96,18 @@ void measure(const TopoDS_Edge& edge, Candidate& c) {
   c.tolerance = BRep_Tool::Tolerance(edge);
 }
 
+Error degenerate(int number, const TopoDS_Edge& edge, double length) {
+  Error error{.code = ErrorCode::EdgeDegenerate, .edge = number, .value = length};
+  const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
+  if (!vertex.IsNull()) error.where = fromOcct(BRep_Tool::Pnt(vertex));
+  return error;
+}
+
 /// Sorts the uses of an edge into those that stay and the one that goes; an error where no hole can
 /// run along it.
 Result<Candidate> candidate(const ShapeIndex& index, int number, const std::set<int>& pickedFaces) {
   const TopoDS_Edge& edge = index.edge(number);
+  if (BRep_Tool::Degenerated(edge)) return fail(degenerate(number, edge, 0.0));
   Candidate c{.edge = number};
   int removals = 0;
   for (const EdgeUse& use : index.uses(number)) {
@@ -101,27 +118,14 @@ Result<Candidate> candidate(const ShapeIndex& index, int number, const std::set<
       c.staying.push_back(use);
     }
   }
-  const int faces = int(index.uses(number).size());
-  const bool degenerate = BRep_Tool::Degenerated(edge);
-  if (!degenerate) {
-    if (!EdgeCurve(edge, Direction::Forward).isFinite()) {
-      return fail({.code = ErrorCode::EdgeInfinite, .edge = number});
-    }
-    measure(edge, c);
+  const std::size_t faces = index.uses(number).size();
+  if (c.staying.size() > 1 || removals > 1) return fail(notFree(number, faces));
+  if (!EdgeCurve(edge, Direction::Forward).isFinite()) {
+    return fail({.code = ErrorCode::EdgeInfinite, .edge = number});
   }
-  if (degenerate || !(c.length > 1e-3 * Precision::Confusion())) {
-    Error error{.code = ErrorCode::EdgeDegenerate, .edge = number, .value = c.length};
-    const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
-    if (!vertex.IsNull()) error.where = fromOcct(BRep_Tool::Pnt(vertex));
-    return fail(error);
-  }
+  measure(edge, c);
+  if (!(c.length > 1e-3 * Precision::Confusion())) return fail(degenerate(number, edge, c.length));
   c.walkable = pickedFaces.empty() ? faces <= 1 : removals == 1;
-  if (c.staying.size() > (removals > 0 ? 1U : 2U)) {
-    return fail({.code = ErrorCode::EdgeWithManyFaces, .edge = number, .value = double(faces)});
-  }
-  if (c.staying.size() > 1 || removals > 1) {
-    return fail({.code = ErrorCode::EdgeNotFree, .edge = number, .value = double(faces)});
-  }
   return c;
 }
 
@@ -219,6 +223,59 @@ UnionFind joinTwins(const ShapeIndex& index,
   return twins;
 }
 
+/// Positions of coincident candidates, group by group.
+std::vector<std::vector<int>> groupsOfTwins(const ShapeIndex& index,
+                                            const std::vector<Candidate>& candidates,
+                                            double near) {
+  UnionFind twins = joinTwins(index, candidates, near);
+  std::map<int, std::vector<int>> byRoot;
+  for (std::size_t i = 0; i < candidates.size(); ++i) byRoot[twins.root(int(i))].push_back(int(i));
+  std::vector<std::vector<int>> groups;
+  for (auto& [root, group] : byRoot) groups.push_back(std::move(group));
+  return groups;
+}
+
+/// Which of coincident edges speaks for all: a face's edge rather than a lone one, unless only the
+/// lone one was picked.
+const Candidate& spokesman(const std::vector<const Candidate*>& group,
+                           const std::set<int>& pickedEdges) {
+  const auto rank = [&](const Candidate* c) {
+    return std::tuple(!c->walkable, !pickedEdges.contains(c->edge), c->isLone(), c->edge);
+  };
+  return **std::min_element(
+      group.begin(), group.end(), [&](const Candidate* a, const Candidate* b) {
+        return rank(a) < rank(b);
+      });
+}
+
+std::vector<EdgeUse> stayingFaces(const std::vector<const Candidate*>& group) {
+  std::vector<EdgeUse> faces;
+  for (const Candidate* c : group) faces.insert(faces.end(), c->staying.begin(), c->staying.end());
+  return faces;
+}
+
+/// The hole lies opposite to the face that stays, or where the removed face was.
+std::optional<Direction> headingOf(const Candidate& c) {
+  const auto reversed = [](const EdgeUse& use) {
+    return use.edge.Orientation() == TopAbs_REVERSED;
+  };
+  if (!c.staying.empty()) {
+    return reversed(c.staying.front()) ? Direction::Forward : Direction::Backward;
+  }
+  if (c.removed) return reversed(*c.removed) ? Direction::Backward : Direction::Forward;
+  return std::nullopt;
+}
+
+/// `faces`: what stays beside this edge and its twins, at most one.
+BorderEdge borderOf(const Candidate& c, const std::vector<EdgeUse>& faces) {
+  BorderEdge border{.edge = c.edge, .nodes = c.ends, .heading = headingOf(c), .length = c.length};
+  if (!c.isLone() && !faces.empty()) {
+    border.support = faces.front();
+    border.match = c.staying.empty() ? EdgeMatch::Twin : EdgeMatch::Same;
+  }
+  return border;
+}
+
 }  // namespace
 
 int BorderGraph::find(int edge) const {
@@ -239,14 +296,10 @@ BorderGraph BorderGraph::build(const ShapeIndex& index, const Picks& picks) {
 
   std::vector<Candidate> candidates;
   for (int number = 1; number <= index.edgeCount(); ++number) {
-    graph.refusals_[std::size_t(number)] = {
-        .code = ErrorCode::EdgeNotFree, .edge = number, .value = double(index.uses(number).size())};
-    auto c = candidate(index, number, pickedFaces);
-    if (c) {
-      candidates.push_back(std::move(*c));
-    } else {
-      graph.refusals_[std::size_t(number)] = c.error();
-    }
+    auto c = guarded([&] { return candidate(index, number, pickedFaces); });
+    graph.refusals_[std::size_t(number)] =
+        c ? notFree(number, index.uses(number).size()) : c.error();
+    if (c) candidates.push_back(std::move(*c));
   }
 
   const double near = kJoin * boxDiagonal(candidates);
@@ -256,63 +309,31 @@ BorderGraph BorderGraph::build(const ShapeIndex& index, const Picks& picks) {
     for (int& end : c.ends) end = nodes.root(end);
   }
 
-  UnionFind twins = joinTwins(index, candidates, near);
-  std::map<int, std::vector<int>> groups;
-  for (std::size_t i = 0; i < candidates.size(); ++i) groups[twins.root(int(i))].push_back(int(i));
-  for (const auto& [root, group] : groups) {
-    std::vector<EdgeUse> faces;
-    for (int i : group) {
-      const Candidate& c = candidates[std::size_t(i)];
-      faces.insert(faces.end(), c.staying.begin(), c.staying.end());
+  for (const std::vector<int>& positions : groupsOfTwins(index, candidates, near)) {
+    std::vector<const Candidate*> group;
+    for (int i : positions) group.push_back(&candidates[std::size_t(i)]);
+    const Candidate& chosen = spokesman(group, pickedEdges);
+    const std::vector<EdgeUse> faces = stayingFaces(group);
+    if (!chosen.walkable) continue;
+    for (const Candidate* c : group) {
+      const auto slot = std::size_t(c->edge);
+      if (faces.size() > 1)
+        graph.refusals_[slot] = notFree(c->edge, faces.size());
+      else
+        graph.position_[slot] = int(graph.edges_.size());
     }
-    // A free edge with a coincident lone one: the face's edge speaks for both, unless only the lone
-    // one was picked.
-    const auto rank = [&](int i) {
-      const Candidate& c = candidates[std::size_t(i)];
-      return std::tuple(
-          !c.walkable, !pickedEdges.contains(c.edge), c.staying.empty() && !c.removed, c.edge);
-    };
-    const int chosen = *std::min_element(
-        group.begin(), group.end(), [&](int a, int b) { return rank(a) < rank(b); });
-    Candidate& c = candidates[std::size_t(chosen)];
-    if (!c.walkable) continue;
-    const std::size_t limit = 1;
-    if (faces.size() > limit) {
-      for (int i : group) {
-        Error& error = graph.refusals_[std::size_t(candidates[std::size_t(i)].edge)];
-        error.code = faces.size() > 2 ? ErrorCode::EdgeWithManyFaces : ErrorCode::EdgeNotFree;
-        error.value = double(faces.size());
-      }
-      continue;
-    }
-    BorderEdge border{.edge = c.edge, .nodes = c.ends, .length = c.length};
-    const bool lone = c.staying.empty() && !c.removed;
-    if (!c.staying.empty()) {
-      border.support = c.staying.front();
-    } else if (!faces.empty() && !lone) {
-      border.support = faces.front();
-      border.match = EdgeMatch::Twin;
-    }
-    // The hole lies opposite to the face that stays, or where the removed face was.
-    if (border.support && border.match == EdgeMatch::Same) {
-      const bool reversed = border.support->edge.Orientation() == TopAbs_REVERSED;
-      border.heading = reversed ? Direction::Forward : Direction::Backward;
-    } else if (c.removed) {
-      const bool reversed = c.removed->edge.Orientation() == TopAbs_REVERSED;
-      border.heading = reversed ? Direction::Backward : Direction::Forward;
-    }
-    for (int i : group) {
-      graph.position_[std::size_t(candidates[std::size_t(i)].edge)] = int(graph.edges_.size());
-    }
-    graph.edges_.push_back(std::move(border));
+    if (faces.size() <= 1) graph.edges_.push_back(borderOf(chosen, faces));
   }
-
-  graph.incident_.resize(ends.size());
+  graph.connect(ends.size());
   for (const EndPoint& end : ends) graph.points_.push_back(end.point);
-  for (std::size_t i = 0; i < graph.edges_.size(); ++i) {
-    for (int node : graph.edges_[i].nodes) graph.incident_[std::size_t(node)].push_back(int(i));
-  }
   return graph;
+}
+
+void BorderGraph::connect(std::size_t nodeCount) {
+  incident_.resize(nodeCount);
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    for (int node : edges_[i].nodes) incident_[std::size_t(node)].push_back(int(i));
+  }
 }
 
 }  // namespace fairing::occt

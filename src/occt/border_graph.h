@@ -48,10 +48,12 @@ class BorderGraph {
   [[nodiscard]] Error refusal(int edge) const;
 
  private:
+  /// Lists the edges at every node.
+  void connect(std::size_t nodeCount);
+
   std::vector<BorderEdge> edges_;
-  std::vector<int> position_;  ///< by edge number
-  std::vector<Error>
-      refusals_;  ///< by edge number, value 0 and code EdgeNotFree where nothing special is wrong
+  std::vector<int> position_;    ///< by edge number
+  std::vector<Error> refusals_;  ///< by edge number, for those at no position
   std::vector<std::vector<int>> incident_;
   std::vector<Eigen::Vector3d> points_;
 };

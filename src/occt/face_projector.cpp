@@ -119,11 +119,17 @@ Vector3d FaceProjector::normalAt(const SurfacePoint& foot) const {
   return Vector3d::Zero();
 }
 
+bool FaceProjector::contains(const FaceFoot& foot, const Vector3d& step) const {
+  if (!foot.at.isRegular()) return false;
+  const Vector2d there = Vector2d(foot.at.u, foot.at.v) + foot.at.parametersOf(step);
+  return trim_->Perform(gp_Pnt2d(there.x(), there.y()), false) != TopAbs_OUT;
+}
+
 FaceFoot FaceProjector::nearest(const Vector3d& target) const {
-  FaceFoot best{.distance = std::numeric_limits<double>::infinity(), .at = {}};
+  FaceFoot best{.distance = std::numeric_limits<double>::infinity(), .face = this, .at = {}};
   const auto take = [&](const SurfacePoint& foot) {
     const double distance = (foot.point - target).norm();
-    if (distance < best.distance) best = {.distance = distance, .at = foot};
+    if (distance < best.distance) best = {.distance = distance, .face = this, .at = foot};
   };
   for (const Border& border : borders_) take(footOnBorder(border, target));
 

@@ -11,9 +11,12 @@
 
 namespace fairing::occt {
 
+class FaceProjector;
+
 /// Where a point is nearest to a face.
 struct FaceFoot {
   double distance = 0.0;  ///< mm
+  const FaceProjector* face = nullptr;
   SurfacePoint at;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, the face's orientation respected
 };
@@ -26,6 +29,8 @@ class FaceProjector {
   explicit FaceProjector(const TopoDS_Face& face);
 
   [[nodiscard]] FaceFoot nearest(const Eigen::Vector3d& target) const;
+  /// Whether the face reaches as far as `step` (mm, tangent to it) from a foot on it.
+  [[nodiscard]] bool contains(const FaceFoot& foot, const Eigen::Vector3d& step) const;
 
  private:
   struct BorderSample {

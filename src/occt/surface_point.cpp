@@ -59,6 +59,10 @@ Eigen::Matrix3d SurfacePoint::secondForm(const Vector3d& normal) const {
   return dual * second * dual.transpose();
 }
 
+Vector2d SurfacePoint::parametersOf(const Vector3d& step) const {
+  return firstForm(*this).inverse() * Vector2d(su.dot(step), sv.dot(step));
+}
+
 SurfacePoint evaluate(const BRepAdaptor_Surface& surface, double u, double v) {
   gp_Pnt p;
   gp_Vec su, sv, suu, svv, suv;

@@ -19,6 +19,8 @@ struct SurfacePoint {
   /// The second fundamental form against a unit normal, as a symmetric form in space: a' * form * b
   /// = II(a, b) for tangent vectors a and b, with II(a, b) = -dn(a) . b.
   [[nodiscard]] Eigen::Matrix3d secondForm(const Eigen::Vector3d& normal) const;
+  /// The step in (u, v) that a small tangent step is.
+  [[nodiscard]] Eigen::Vector2d parametersOf(const Eigen::Vector3d& step) const;
 };
 
 [[nodiscard]] SurfacePoint evaluate(const BRepAdaptor_Surface& surface, double u, double v);

@@ -243,6 +243,22 @@ TEST(MeasureShape, FindsTheGapAndAngleOfAShiftedAndTiltedPlane) {
   EXPECT_LE(smaller->largestGap, std::sqrt(2.0) + 1e-9);
 }
 
+TEST(MeasureShape, TellsAFaceThatFoldsBackOntoItsNeighbour) {
+  // The border of a sheet leaves the hole outside: the sheet itself meets it in a cusp all round,
+  // whichever way it is oriented.
+  const Handle(Geom_Surface) plane = new Geom_Plane(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
+  const TopoDS_Shape sheet = grid(plane, {0, 10}, {0, 10}, {});
+  const ShapeIndex index(sheet);
+  const auto loop = readBoundary(index, {.edges = {1}});
+  ASSERT_TRUE(loop.has_value());
+  for (const TopoDS_Shape& faces : {sheet, TopoDS_Shape(sheet.Reversed())}) {
+    const auto report = measureShape(*loop, faces, {});
+    ASSERT_TRUE(report.has_value());
+    EXPECT_FALSE(report->withinTolerance);
+    for (const auto& side : report->sides) EXPECT_TRUE(side.backwards);
+  }
+}
+
 TEST(MeasureShape, RefusesAShapeWithoutFaces) {
   const TopoDS_Shape shape = sheetWithHole();
   const auto loop = readBoundary(ShapeIndex(shape), holePicks(shape));

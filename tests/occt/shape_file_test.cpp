@@ -3,10 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <BRep_Tool.hxx>
+#include <BinTools.hxx>
+#include <BinTools_LocationSet.hxx>
+#include <BinTools_ShapeSet.hxx>
+#include <TopLoc_Location.hxx>
 #include <filesystem>
 #include <fstream>
+#include <gp_Trsf.hxx>
 #include <random>
+#include <sstream>
 
 #include "occt/edge_curve.h"
 #include "occt/shape_bytes.h"
@@ -134,6 +139,43 @@ TEST(ShapeBytes, TextKeepsTheShape) {
   ASSERT_TRUE(back.has_value());
   EXPECT_NEAR(area(*back), area(shape), 1e-9);
   EXPECT_EQ(ShapeIndex(*back).edgeCount(), ShapeIndex(shape).edgeCount());
+}
+
+/// What FreeCAD's exportBinary writes: the set of shapes, then index, location and orientation of
+/// the root.
+std::string freecadBinary(const TopoDS_Shape& shape) {
+  BinTools_ShapeSet set;
+  set.SetFormatNb(3);
+  const int root = set.Add(shape);
+  const int location = set.Locations().Index(shape.Location());
+  std::ostringstream stream;
+  set.Write(stream);
+  BinTools::PutInteger(stream, root);
+  BinTools::PutInteger(stream, location);
+  BinTools::PutInteger(stream, int(shape.Orientation()));
+  return stream.str();
+}
+
+TEST(ShapeBytes, ReadsFreecadsBinary) {
+  gp_Trsf shift;
+  shift.SetTranslation(gp_Vec(1, 2, 3));
+  const TopoDS_Shape shape = sheetWithHole().Moved(TopLoc_Location(shift)).Reversed();
+  const auto back = shapeFromBytes(freecadBinary(shape));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->Orientation(), TopAbs_REVERSED);
+  EXPECT_NEAR(area(*back), area(shape), 1e-9);
+  const ShapeIndex before(shape), after(*back);
+  ASSERT_EQ(after.edgeCount(), before.edgeCount());
+  const EdgeCurve a(before.edge(3), Direction::Forward), b(after.edge(3), Direction::Forward);
+  EXPECT_LT((a.point(0.4) - b.point(0.4)).norm(), 1e-14 * 50.0);
+}
+
+TEST(ShapeBytes, RefusesBinaryCutShort) {
+  const std::string bytes = freecadBinary(box(1, 2, 3));
+  for (int percent = 5; percent < 100; percent += 5) {
+    const auto part = shapeFromBytes(bytes.substr(0, bytes.size() * std::size_t(percent) / 100));
+    EXPECT_FALSE(part.has_value()) << percent << " %";
+  }
 }
 
 TEST(ShapeBytes, RefusesBytesThatAreNoShape) {

@@ -41,31 +41,29 @@ double angleBetween(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * kDegrees;
 }
 
-void addFoot(const ProbePoint& probe,
-             const MeasuredFoot& foot,
-             double orientation,
-             double flat,
-             SideReport& report) {
+void addFoot(const ProbePoint& probe, const MeasuredFoot& foot, double flat, SideReport& report) {
   add(report.gap, foot.gap, probe);
   if (!probe.hasNormal) return;
   const double angle = angleBetween(foot.normal, probe.normal);
-  if (orientation * foot.normal.dot(probe.normal) < 0.0) report.backwards = true;
+  // The hole is to the left of the side seen against the support's normal; so must be the patch.
+  const double agreement = foot.normal.dot(probe.normal) < 0.0 ? -1.0 : 1.0;
+  if (foot.side * agreement < 0.0) report.backwards = true;
   report.floorAngle = std::max(report.floorAngle, probe.floor);
   report.angleCurve.push_back({probe.t, angle, probe.floor, probe.inCorner});
   add(probe.inCorner ? report.cornerAngle : report.angle, angle, probe);
   if (probe.inCorner) return;
-  const double asked = probe.curvature, got = orientation * foot.curvature;
+  const double asked = probe.curvature, got = agreement * foot.curvature;
   add(report.curvature, std::abs(asked - got) / (std::abs(asked) + std::abs(got) + flat), probe);
 }
 
-// +1 where most normals along the border agree with the supports', else -1.
-double orientationOf(const LoopProbe& probe, const std::vector<std::vector<MeasuredFoot>>& feet) {
+// Whether most normals along the border are against the supports'.
+bool isReversed(const LoopProbe& probe, const std::vector<std::vector<MeasuredFoot>>& feet) {
   int balance = 0;
   for (std::size_t k = 0; k < feet.size(); ++k)
     for (std::size_t i = 0; i < feet[k].size(); ++i)
       if (probe.sides[k][i].hasNormal)
         balance += probe.sides[k][i].normal.dot(feet[k][i].normal) >= 0.0 ? 1 : -1;
-  return balance >= 0 ? 1.0 : -1.0;
+  return balance < 0;
 }
 
 bool within(const Deviation& d, double limit) {
@@ -127,13 +125,12 @@ FillReport measureLoop(const BoundaryLoop& loop,
   std::vector<std::vector<MeasuredFoot>> feet(probe.sides.size());
   for (std::size_t k = 0; k < probe.sides.size(); ++k)
     for (const ProbePoint& p : probe.sides[k]) feet[k].push_back(footOf(k, p));
-  const double orientation = orientationOf(probe, feet);
   FillReport report = emptyReport(loop, tolerance);
-  report.reversed = orientation < 0.0;
+  report.reversed = isReversed(probe, feet);
   for (std::size_t k = 0; k < feet.size(); ++k) {
     SideReport& side = report.sides[k];
     for (std::size_t i = 0; i < feet[k].size(); ++i)
-      addFoot(probe.sides[k][i], feet[k][i], orientation, kFlat / loop.diagonal, side);
+      addFoot(probe.sides[k][i], feet[k][i], kFlat / loop.diagonal, side);
     for (Deviation* d : {&side.gap, &side.angle, &side.cornerAngle, &side.curvature}) finish(*d);
   }
   judge(report);

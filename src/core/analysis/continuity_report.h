@@ -91,6 +91,8 @@ struct MeasuredFoot {
   double gap = 0.0;        ///< mm
   Eigen::Vector3d normal;  ///< unit
   double curvature = 0.0;  ///< normal curvature across the side, against `normal`, 1/mm
+  /// +1 where the patch lies to the left of the side seen against `normal`, -1 where to the right.
+  double side = 1.0;
 };
 
 /// Finds the foot of a probe point of side `side` on whatever spans the hole.

@@ -17,6 +17,15 @@ const SideTrace& traceOf(const std::vector<SideTrace>& traces, std::size_t side,
   return traces.front();
 }
 
+// Left of a trace in the patch's parameters is left of the side seen against u x v.
+double sideOf(const SideTrace& trace, const spline::BsplineSurface& patch) {
+  const Eigen::Vector2d along = trace.end - trace.start;
+  const Eigen::Vector2d centre(0.5 * (patch.u.first() + patch.u.last()),
+                               0.5 * (patch.v.first() + patch.v.last()));
+  const Eigen::Vector2d inside = centre - trace.start;
+  return along.x() * inside.y() - along.y() * inside.x() < 0.0 ? -1.0 : 1.0;
+}
+
 }  // namespace
 
 FillReport measureFill(const boundary::BoundaryLoop& loop,
@@ -27,10 +36,13 @@ FillReport measureFill(const boundary::BoundaryLoop& loop,
   return measureLoop(loop, probe, tolerance, [&](std::size_t side, const ProbePoint& p) {
     const SideTrace& trace = traceOf(traces, side, p.t);
     const Eigen::Vector2d guess = trace.at(p.t);
-    const SurfaceFoot foot =
-        closestPoint(patches[static_cast<std::size_t>(trace.patch)], p.point, guess[0], guess[1]);
+    const spline::BsplineSurface& patch = patches[static_cast<std::size_t>(trace.patch)];
+    const SurfaceFoot foot = closestPoint(patch, p.point, guess[0], guess[1]);
     const Eigen::Vector3d normal = foot.jet.normalVector().normalized();
-    return MeasuredFoot{foot.distance, normal, normalCurvature(foot.jet, normal.cross(p.tangent))};
+    return MeasuredFoot{foot.distance,
+                        normal,
+                        normalCurvature(foot.jet, normal.cross(p.tangent)),
+                        sideOf(trace, patch)};
   });
 }
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "text/report_text.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "text/quantities.h"
+#include "text/report_json.h"
+#include "text/words.h"
+
+namespace fairing::text {
+namespace {
+
+using analysis::FillReport;
+using analysis::SideReport;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+analysis::Deviation deviation(double max, const Eigen::Vector3d& where = {12.0, 3.1, 0.0}) {
+  analysis::Deviation d;
+  d.max = max;
+  d.rms = 0.5 * max;
+  d.count = 10;
+  d.where = where;
+  return d;
+}
+
+/// Four edges well within the limits.
+FillReport good() {
+  FillReport report;
+  report.gapLimit = 1e-5;
+  report.angleLimit = 0.02;
+  report.cornerAngleLimit = 0.05;
+  report.largestGap = 12e-6 * 1e-1;
+  report.largestAngle = 0.004;
+  report.withinTolerance = true;
+  for (int edge : {7, 9, 12, 15}) {
+    SideReport side;
+    side.edge = edge;
+    side.face = edge + 1;
+    side.gap = deviation(1.2e-6);
+    side.angle = deviation(0.004);
+    side.cornerAngle = deviation(0.001);
+    side.withinTolerance = true;
+    report.sides.push_back(side);
+  }
+  return report;
+}
+
+TEST(Verdict, SaysHowWellAllEdgesAreMet) {
+  EXPECT_EQ(verdict(good()), "Meets all 4 edges: tangent within 0.004\u00b0, gap 1.2 nm.");
+}
+
+TEST(Verdict, NamesEdgesMetInPositionOnly) {
+  FillReport report = good();
+  report.sides[1].asked = Continuity::G0;
+  EXPECT_THAT(verdict(report), StartsWith("Meets all 4 edges (in position only: 9)"));
+}
+
+TEST(Verdict, NamesTheWorstEdgeWithSizeAndPlace) {
+  FillReport report = good();
+  report.withinTolerance = false;
+  report.sides[0].angle = deviation(0.31);
+  report.sides[0].withinTolerance = false;
+  report.sides[2].gap = deviation(2e-5);
+  report.sides[2].withinTolerance = false;
+  EXPECT_THAT(verdict(report), StartsWith("Edge 7 misses tangency by 0.31\u00b0"));
+  EXPECT_THAT(verdict(report), HasSubstr("(12, 3.1, 0)"));
+  EXPECT_THAT(verdict(report), HasSubstr("2 of 4 edges are out of tolerance."));
+}
+
+TEST(Verdict, GivesTheReasonAtACornerWhoseFacesDisagree) {
+  FillReport report = good();
+  report.withinTolerance = false;
+  report.sides[0].cornerAngle = deviation(0.31);
+  report.sides[0].withinTolerance = false;
+  analysis::CornerReport corner;
+  corner.point = {12.0, 3.1, 0.0};
+  corner.edgeBefore = 7;
+  corner.edgeAfter = 9;
+  corner.normalMismatch = 0.6;
+  corner.normalsAgree = false;
+  report.corners.push_back(corner);
+  EXPECT_THAT(verdict(report), HasSubstr("the faces beside edges 7 and 9 differ by 0.6\u00b0"));
+}
+
+TEST(Verdict, TellsACuspBeforeAnythingElse) {
+  FillReport report = good();
+  report.withinTolerance = false;
+  report.sides[3].backwards = true;
+  report.sides[3].withinTolerance = false;
+  report.sides[0].angle = deviation(5.0);
+  EXPECT_THAT(verdict(report), HasSubstr("edge 15 backwards"));
+}
+
+TEST(Table, HasALineForEveryEdge) {
+  const std::string text = table(good());
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
+  for (const char* edge : {" 7 ", " 9 ", " 12 ", " 15 "}) EXPECT_THAT(text, HasSubstr(edge));
+}
+
+TEST(ReportJson, KeepsTheNumbersAndTurnsNonsenseToNull) {
+  FillReport report = good();
+  report.fairness.area = std::numeric_limits<double>::quiet_NaN();
+  const auto json = nlohmann::json::parse(toJson(report).dump());
+  EXPECT_TRUE(json.at("within_tolerance").get<bool>());
+  EXPECT_EQ(json.at("sides").size(), 4u);
+  EXPECT_EQ(json.at("sides")[0].at("edge"), 7);
+  EXPECT_EQ(json.at("sides")[0].at("asked"), "G1");
+  EXPECT_DOUBLE_EQ(json.at("sides")[0].at("angle").at("max").get<double>(), 0.004);
+  EXPECT_DOUBLE_EQ(json.at("limits").at("gap").get<double>(), 1e-5);
+  EXPECT_TRUE(json.at("fairness").at("area").is_null());
+}
+
+TEST(Quantities, ChooseUnitsPeopleRead) {
+  EXPECT_EQ(length(0.0), "0 mm");
+  EXPECT_EQ(length(12e-9), "0.012 nm");
+  EXPECT_EQ(length(12e-6), "12 nm");
+  EXPECT_EQ(length(0.0031), "3.1 \u00b5m");
+  EXPECT_EQ(length(0.27), "0.27 mm");
+  EXPECT_EQ(length(1234.5), "1234 mm");
+  EXPECT_EQ(angle(0.0), "0\u00b0");
+  EXPECT_EQ(angle(0.0042), "0.0042\u00b0");
+  EXPECT_EQ(point({1e-17, 3.1, 1234.56}), "(0, 3.1, 1234.6)");
+}
+
+TEST(Words, AreUnderstoodAsTheyAreWritten) {
+  for (const Continuity c : {Continuity::G0, Continuity::G1}) EXPECT_EQ(continuityFrom(word(c)), c);
+  for (const EnergyKind e : {EnergyKind::Membrane, EnergyKind::ThinPlate}) {
+    EXPECT_EQ(energyFrom(word(e)), e);
+  }
+  for (const LayoutKind l : {LayoutKind::Auto, LayoutKind::Quad}) EXPECT_EQ(layoutFrom(word(l)), l);
+  EXPECT_FALSE(continuityFrom("g1").has_value());
+  EXPECT_FALSE(energyFrom("").has_value());
+}
+
+}  // namespace
+}  // namespace fairing::text
