@@ -118,6 +118,32 @@ TEST(FillInvariance, DoesNotDependOnTheDirection) {
   }));
 }
 
+TEST(FillInvariance, GuidanceScalesWithTheHole) {
+  // Weights have no unit that depends on the size: the same lambda and gamma, the same shape.
+  Random random{0};
+  const auto knots = randomKnots(random, 3, 2);
+  const Sides sides = borderOf(randomSurface(random, knots, knots, 0.02));
+  const auto guided = [&](double size) {
+    FillOptions options;
+    options.maxRefinements = 0;
+    options.guidance.lambda = 3.0;
+    options.guidance.gamma = 20.0;
+    options.guidance.reference = [size](const Vector3d& near) {
+      const Vector3d p = near / size;
+      const Vector3d normal = Vector3d(0.1, p[0], 1.0).normalized();
+      return energy::GuidanceSample{normal, size * Vector3d(p[0], p[1], 0.1), 1.0, 1.0};
+    };
+    const auto loop = finished(moved(sides, Affine3d(Eigen::Scaling(size))));
+    return fillHole(loop, options).value().patches[0];
+  };
+  const BsplineSurface once = guided(1.0);
+  for (const double scale : {1e-3, 1e4}) {
+    const Affine3d scaling(Eigen::Scaling(scale));
+    EXPECT_LT(difference(guided(scale), once, samePlace, scaling),
+              kSame * scale * finished(sides).diagonal);
+  }
+}
+
 TEST(FillInvariance, ReportsTheSameDeviationsAtEveryScale) {
   EXPECT_TRUE(rc::check([] {
     const Sides sides = someSides();

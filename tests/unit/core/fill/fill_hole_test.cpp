@@ -156,6 +156,17 @@ TEST(FillHole, IncompatibleTwistsAreReportedAndTheErrorStaysInTheCorner) {
     EXPECT_LT(deviationOf(loop, fill.patches[0], side, 0.1, 0.9).angle, 0.02);
 }
 
+TEST(FillHole, KnotsAreGradedTowardsIncompatibleCorners) {
+  const auto breaks = filled(finished(incompatibleTwists(0.5))).patches[0].u.breaks();
+  ASSERT_GE(breaks.size(), 5U);
+  const std::size_t last = breaks.size() - 1;
+  // Halved again and again: 1, 1, 2, 4, ... times the end span.
+  EXPECT_LT(breaks[1], 0.1 * breaks[last]);
+  EXPECT_LT(breaks[last] - breaks[last - 1], 0.1 * breaks[last]);
+  EXPECT_NEAR(breaks[2] - breaks[1], breaks[1], 1e-12);
+  EXPECT_NEAR(breaks[3] - breaks[2], 2.0 * breaks[1], 1e-12);
+}
+
 TEST(FillHole, NormalsThatDisagreeAtACornerAreReportedAndDoNotFail) {
   Sides sides = sidesOf(plane(), unitSquare());
   sides[1].ribbon.support = [flat = sides[1].ribbon.support](double t) {
