@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The parametric object without a window: made, recomputed, moved, changed, failing, saved and reopened."""
 
+import os
 import sys
 
 import FreeCAD as App
@@ -122,6 +123,7 @@ def failing_keeps_the_last_good_shape_and_says_why():
     document.recompute()
     assert not fill.isValid()
     assert "edge 99" in fill.Verdict and not fill.WithinTolerance, fill.Verdict
+    assert fill.Verdict in fill.getStatusString(), "the tree's tooltip says something else"
     assert fill.Shape.Area == area and fill.LargestAngle == largest
     for name, value, word in (("AngleTolerance", 0.0, "angle"), ("Lambda", -1.0, "lambda"),
                               ("Gamma", float("nan"), "gamma"), ("Degree", 99, "degree"),
@@ -225,6 +227,13 @@ def objects_of_an_older_version_are_brought_up_to_date():
     fill.touch()
     document.recompute()
     assert len(fill.EdgeCurvatures) == 4
+
+
+def the_example_on_disk_is_the_one_its_script_makes():
+    document = App.openDocument(os.path.join(support.ROOT, "examples", "four_sided_hole", "four_sided_hole.FCStd"))
+    made = support.make_example.sheet_with_hole()
+    assert abs(document.Base.Shape.Area - made.Area) < 1e-9 * made.Area
+    assert support.make_example.hole_edges(document.Base.Shape) == support.make_example.hole_edges(made)
 
 
 def needs_no_window():

@@ -35,7 +35,7 @@ def start_a_long_solve(document, edge):
 
 def nothing_is_left(document, nodes):
     assert not gui.panel_is_open()
-    assert not solving_threads()
+    gui.wait_for(lambda: not solving_threads(), "the solve to stop")
     assert [obj.Name for obj in document.Objects] == ["Base"] and not document.UndoNames
     assert scene_size() == nodes, "the preview stays in the scene"
 
@@ -60,19 +60,18 @@ start_a_long_solve(document, edges[0])
 gui.picture("6_long_solve")
 began = time.monotonic()
 gui.press("Cancel")
-assert time.monotonic() - began < 2.5, "Cancel keeps the user waiting"
-gui.wait_for(lambda: not solving_threads(), "the solve to stop")
+assert time.monotonic() - began < 1.0, "Cancel keeps the user waiting"
 nothing_is_left(document, nodes)
 
 # The window stays alive while solving: its event loop turns around at once.
 start_a_long_solve(document, edges[0])
-longest = 0.0
-for _ in range(50):
+turns = []
+for _ in range(60):
     began = time.monotonic()
     gui.pump(0.0)
     gui.QtGui.QApplication.processEvents()
-    longest = max(longest, time.monotonic() - began)
-assert longest < 0.25, f"the window was frozen for {longest:.2f} s"
+    turns.append(time.monotonic() - began)
+assert sorted(turns)[-6] < 0.2, f"the window freezes: {turns}"  # one turn in ten may meet a busy machine
 
 # Stop: the panel stays and works on.
 gui.widget("stopButton").click()
@@ -85,7 +84,6 @@ gui.click(view, base.Shape.Faces[0].CenterOfMass)
 assert gui.panel_is_open()
 gui.key("Escape")
 gui.wait_for(lambda: not gui.panel_is_open(), "Esc to close the panel")
-gui.wait_for(lambda: not solving_threads(), "the solve to stop")
 nothing_is_left(document, nodes)
 
 # OK pressed before the surface is there waits for it and no longer.

@@ -24,7 +24,7 @@ from .message import show_problem
 from .picking import ClosingDocument, EscapeKey, Picking
 from .status import Status
 
-LONGEST_STOP = 2.0  # s, what closing waits for a solve that was told to stop
+LONGEST_STOP = 0.1  # s closing waits for a solve that was told to stop; then it ends by itself, unheard
 SHOWS_PROGRESS_AFTER = 0.15  # s: a bar that only flashes up is noise
 NARROWEST = 320  # pixels of a dock that FreeCAD's three buttons fit into
 MARGINS = 60  # pixels left and right of the table, a scroll bar included
