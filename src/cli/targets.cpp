@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "cli/targets.h"
 
-#include "occt/find_loop.h"
+#include "occt/find_holes.h"
 #include "occt/guarded.h"
 
 namespace fairing::cli {

@@ -27,6 +27,12 @@ struct BorderEdge {
   [[nodiscard]] int to(Direction d) const { return nodes[d == Direction::Forward ? 1 : 0]; }
 };
 
+/// One edge of a loop and the way the loop runs along it.
+struct LoopEdge {
+  int border = 0;  ///< position in BorderGraph::edges()
+  Direction direction = Direction::Forward;
+};
+
 /// The edges that may border a hole and the nodes they meet at. Without picked faces these are the
 /// free edges (one face) and the lone ones (none); with picked faces the edges between a picked and
 /// a staying face. Ends that are separate vertices but lie within their tolerances, or within 1e-5
@@ -49,7 +55,7 @@ class BorderGraph {
 
  private:
   /// Lists the edges at every node.
-  void connect(std::size_t nodeCount);
+  void connect();
 
   std::vector<BorderEdge> edges_;
   std::vector<int> position_;    ///< by edge number

@@ -10,13 +10,7 @@
 namespace fairing::occt {
 namespace {
 
-using Eigen::Vector3d;
 using Loop = std::vector<LoopEdge>;
-
-/// An outer border spans at least this share of its sheet's bounding box ...
-constexpr double kAsLargeAsSheet = 0.9;
-/// ... and every other loop of the sheet at most this share of the border's.
-constexpr double kClearlySmaller = 0.98;
 
 const BorderEdge& edgeOf(const BorderGraph& graph, const LoopEdge& e) {
   return graph.edges()[std::size_t(e.border)];
@@ -92,8 +86,24 @@ bool closesByItself(const BorderGraph& graph, const std::set<int>& edges) {
       degree.begin(), degree.end(), [](const auto& entry) { return entry.second == 2; });
 }
 
-/// Runs with the hole to the left for most of the length that has a say, and starts at the lowest
-/// edge number.
+/// The picks do not lie on one loop: tells the first one off the loop and how many loops there are.
+Error severalLoops(const BorderGraph& graph, const LoopWalk& walk, std::set<int> left) {
+  Error error{.code = ErrorCode::SeveralLoops,
+              .edge = graph.edges()[std::size_t(*left.begin())].edge,
+              .value = 1.0};
+  while (!left.empty()) {
+    error.value += 1.0;
+    const int start = *left.begin();
+    left.erase(start);
+    if (const auto other = walk.from(start)) {
+      for (const LoopEdge& e : *other) left.erase(e.border);
+    }
+  }
+  return error;
+}
+
+}  // namespace
+
 Loop canonical(const BorderGraph& graph, Loop loop) {
   double agreement = 0.0;
   for (const LoopEdge& e : loop) {
@@ -115,84 +125,6 @@ Loop canonical(const BorderGraph& graph, Loop loop) {
   std::rotate(loop.begin(), lowest(), loop.end());
   return loop;
 }
-
-/// The picks do not lie on one loop: tells the first one off the loop and how many loops there are.
-Error severalLoops(const BorderGraph& graph, const LoopWalk& walk, std::set<int> left) {
-  Error error{.code = ErrorCode::SeveralLoops,
-              .edge = graph.edges()[std::size_t(*left.begin())].edge,
-              .value = 1.0};
-  while (!left.empty()) {
-    error.value += 1.0;
-    const int start = *left.begin();
-    left.erase(start);
-    if (const auto other = walk.from(start)) {
-      for (const LoopEdge& e : *other) left.erase(e.border);
-    }
-  }
-  return error;
-}
-
-Vector3d diagonalOf(const ShapeIndex& index, const std::vector<int>& edges) {
-  Vector3d low = Vector3d::Constant(1e300);
-  Vector3d high = -low;
-  for (int number : edges) {
-    const EdgeCurve curve(index.edge(number), Direction::Forward);
-    if (!curve.isFinite()) continue;
-    for (int i = 0; i <= 8; ++i) {
-      low = low.cwiseMin(curve.point(i / 8.0));
-      high = high.cwiseMax(curve.point(i / 8.0));
-    }
-  }
-  return high - low;
-}
-
-/// For every face the number of its sheet: faces that share edges are one sheet.
-std::vector<int> sheets(const ShapeIndex& index) {
-  std::vector<int> sheet(std::size_t(index.faceCount()) + 1, 0);
-  for (std::size_t i = 0; i < sheet.size(); ++i) sheet[i] = int(i);
-  const auto root = [&](int face) {
-    while (sheet[std::size_t(face)] != face) face = sheet[std::size_t(face)];
-    return face;
-  };
-  for (int edge = 1; edge <= index.edgeCount(); ++edge) {
-    for (const EdgeUse& use : index.uses(edge)) {
-      const int a = root(index.uses(edge).front().face);
-      const int b = root(use.face);
-      sheet[std::size_t(std::max(a, b))] = std::min(a, b);
-    }
-  }
-  for (std::size_t i = 0; i < sheet.size(); ++i) sheet[i] = root(int(i));
-  return sheet;
-}
-
-void markOuterBorders(const ShapeIndex& index, std::vector<Hole>& holes) {
-  const std::vector<int> sheet = sheets(index);
-  std::map<int, std::vector<int>> edgesOf;
-  std::map<int, std::vector<std::size_t>> holesOf;
-  for (int edge = 1; edge <= index.edgeCount(); ++edge) {
-    if (!index.uses(edge).empty()) {
-      edgesOf[sheet[std::size_t(index.uses(edge).front().face)]].push_back(edge);
-    }
-  }
-  for (std::size_t i = 0; i < holes.size(); ++i) {
-    for (int edge : holes[i].edges) {
-      if (index.uses(edge).empty()) continue;
-      holesOf[sheet[std::size_t(index.uses(edge).front().face)]].push_back(i);
-      break;
-    }
-  }
-  for (const auto& [number, members] : holesOf) {
-    if (members.size() < 2) continue;
-    std::vector<std::pair<double, std::size_t>> sizes;
-    for (std::size_t i : members) sizes.emplace_back(diagonalOf(index, holes[i].edges).norm(), i);
-    std::sort(sizes.rbegin(), sizes.rend());
-    const double whole = diagonalOf(index, edgesOf[number]).norm();
-    holes[sizes[0].second].isOuterBorder = sizes[0].first >= kAsLargeAsSheet * whole &&
-                                           sizes[1].first <= kClearlySmaller * sizes[0].first;
-  }
-}
-
-}  // namespace
 
 Result<Loop> traceLoop(const ShapeIndex& index, const BorderGraph& graph, const Picks& picks) {
   auto starts = startingPoints(index, graph, picks);
@@ -221,26 +153,6 @@ Result<std::vector<int>> findLoop(const ShapeIndex& index, const Picks& picks) {
   std::vector<int> numbers;
   for (const LoopEdge& e : *loop) numbers.push_back(edgeOf(graph, e).edge);
   return numbers;
-}
-
-std::vector<Hole> findHoles(const ShapeIndex& index) {
-  const BorderGraph graph = BorderGraph::build(index, {});
-  const LoopWalk walk(index, graph, {});
-  std::set<int> done;
-  std::vector<Hole> holes;
-  for (std::size_t i = 0; i < graph.edges().size(); ++i) {
-    if (done.contains(int(i)) || !graph.edges()[i].support) continue;
-    auto found = walk.from(int(i));
-    if (!found) continue;
-    Hole hole;
-    for (const LoopEdge& e : canonical(graph, std::move(*found))) {
-      done.insert(e.border);
-      hole.edges.push_back(edgeOf(graph, e).edge);
-    }
-    holes.push_back(std::move(hole));
-  }
-  markOuterBorders(index, holes);
-  return holes;
 }
 
 }  // namespace fairing::occt

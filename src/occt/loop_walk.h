@@ -5,7 +5,6 @@
 
 #include "core/base/result.h"
 #include "occt/border_graph.h"
-#include "occt/find_loop.h"
 
 namespace fairing::occt {
 

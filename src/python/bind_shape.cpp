@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "occt/fill_shape.h"
+#include "occt/find_holes.h"
 #include "occt/find_loop.h"
 #include "occt/measure_shape.h"
 #include "occt/read_boundary.h"

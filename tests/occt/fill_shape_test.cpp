@@ -21,7 +21,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "occt/find_loop.h"
+#include "occt/find_holes.h"
 #include "occt/measure_shape.h"
 #include "occt/read_boundary.h"
 #include "occt/shapes.h"

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <random>
 
+#include "occt/find_holes.h"
 #include "occt/shapes.h"
 
 namespace fairing::occt {

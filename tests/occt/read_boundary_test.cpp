@@ -18,7 +18,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "occt/find_loop.h"
+#include "occt/find_holes.h"
 #include "occt/shapes.h"
 
 namespace fairing::occt {

@@ -18,7 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "occt/find_loop.h"
+#include "occt/edge_curve.h"
+#include "occt/find_holes.h"
 
 namespace fairing::testing {
 
