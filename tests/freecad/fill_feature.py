@@ -237,7 +237,7 @@ def the_example_on_disk_is_the_one_its_script_makes():
 
 
 def needs_no_window():
-    assert "FreeCADGui" not in sys.modules or not App.GuiUp
+    assert not App.GuiUp and not {"FreeCADGui", "PySide", "PySide2", "pivy"} & set(sys.modules)
 
 
 support.run_all(globals())

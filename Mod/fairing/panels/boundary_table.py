@@ -16,9 +16,11 @@ LARGEST_HEIGHT = 6  # rows shown without scrolling
 
 
 class BoundaryTable(QtCore.QObject):
-    """Wraps the form's QTableWidget. Emits chosen(edge, continuity) when the user changes a row."""
+    """Wraps the form's QTableWidget. Emits chosen(edge, continuity) when the user changes a row, and pointed(edge) when
+    one is selected, 0 for none."""
 
     chosen = QtCore.Signal(int, str)
+    pointed = QtCore.Signal(int)
 
     def __init__(self, widget: QtGui.QTableWidget):
         super().__init__(widget)
@@ -30,6 +32,7 @@ class BoundaryTable(QtCore.QObject):
             header.setSectionResizeMode(column, QtGui.QHeaderView.ResizeToContents)
         header.setSectionResizeMode(ANGLE, QtGui.QHeaderView.Stretch)
         widget.verticalHeader().setDefaultSectionSize(24)
+        widget.itemSelectionChanged.connect(self._selected)
         widget.setIconSize(QtCore.QSize(14, 14))
 
     def show_loop(self, loop: list[dict], request: FillRequest) -> None:
@@ -71,6 +74,10 @@ class BoundaryTable(QtCore.QObject):
     def select(self, edge: int) -> None:
         if edge in self._rows:
             self._widget.selectRow(self._rows[edge])
+
+    def _selected(self) -> None:
+        rows = {index.row() for index in self._widget.selectedIndexes()}
+        self.pointed.emit(next((edge for edge, row in self._rows.items() if row in rows), 0))
 
     def _rebuild(self, loop: list[dict]) -> None:
         self._widget.setRowCount(len(loop))

@@ -24,10 +24,16 @@ class FillDisplay:
         self._labels = EdgeLabels(view, on_click, on_hover)
         self._report: Optional[dict] = None
         self._with_labels = True
+        self._pointed = 0
 
     def show_labels(self, shown: bool) -> None:
         self._with_labels = shown
         self._draw_edges()
+
+    def point_at(self, edge: int) -> None:
+        """Lets one edge stand out, 0 for none."""
+        self._pointed = edge
+        self._draw_lines()  # not the labels: this may come from one under the mouse
 
     def show_unsolved(self) -> None:
         """The edges alone."""
@@ -47,12 +53,20 @@ class FillDisplay:
     def _draw_edges(self) -> None:
         for drawn in (self._preview, self._labels):
             drawn.place(self._session.placement)
-        loop, report = self._session.loop, self._report
-        measured = {side["edge"]: side for side in report["sides"]} if report else {}
-        signs = [status.of_side(measured.get(side["edge"]), report) for side in loop]
-        self._preview.show_edges([side["points"] for side in loop], [sign.rgb for sign in signs])
-        labelled = zip(loop, signs) if self._with_labels else ()
-        self._labels.show([self._label(side, sign, measured.get(side["edge"])) for side, sign in labelled])
+        self._draw_lines()
+        shown = self._measured_sides() if self._with_labels else ()
+        self._labels.show([self._label(side, sign, measured) for side, sign, measured in shown])
+
+    def _draw_lines(self) -> None:
+        sides = self._measured_sides()
+        pointed = [position for position, (side, _, _) in enumerate(sides) if side["edge"] == self._pointed]
+        self._preview.show_edges([side["points"] for side, _, _ in sides], [sign.rgb for _, sign, _ in sides], *pointed)
+
+    def _measured_sides(self) -> list[tuple[dict, Status, Optional[dict]]]:
+        """Every side of the hole, how well it is met, and what was measured along it."""
+        measured = {side["edge"]: side for side in self._report["sides"]} if self._report else {}
+        sides = [(side, measured.get(side["edge"])) for side in self._session.loop]
+        return [(side, status.of_side(found, self._report), found) for side, found in sides]
 
     def _label(self, side: dict, sign: Status, measured: Optional[dict]) -> Label:
         text = side["continuity"]

@@ -105,6 +105,7 @@ class FillPanel:
     def _connect(self) -> None:
         ui = self._ui
         self._table.chosen.connect(lambda edge, word: self._set_continuity(word, edge))
+        self._table.pointed.connect(self._display.point_at)
         ui.allG1Button.clicked.connect(lambda: self._set_continuity("G1"))
         ui.allG0Button.clicked.connect(lambda: self._set_continuity("G0"))
         ui.clearButton.clicked.connect(self._clear)

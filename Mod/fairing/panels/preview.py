@@ -7,7 +7,7 @@ import numpy as np
 from pivy import coin
 
 TRANSPARENCY = 0.15
-EDGE_WIDTH = 5.0  # pixels
+EDGE_WIDTH, THICK_WIDTH = 4.0, 9.0  # pixels
 DEPTH_RANGE = (0.0, 0.9998)  # a touch nearer than the base's own edges, which would show through otherwise
 
 
@@ -38,9 +38,9 @@ class Preview:
     def hide_surface(self) -> None:
         self._surface.clear()
 
-    def show_edges(self, lines, colors) -> None:
-        """Polylines (each n x 3) and their colours."""
-        self._edges.show(lines, colors)
+    def show_edges(self, lines, colors, thick=None) -> None:
+        """Polylines (each n x 3), their colours, and the position of one that stands out."""
+        self._edges.show(lines, colors, thick)
 
     def remove(self) -> None:
         if self._root is None:
@@ -91,23 +91,22 @@ class _Edges:
     def __init__(self):
         self.root = coin.SoSeparator()
 
-    def show(self, lines, colors) -> None:
+    def show(self, lines, colors, thick) -> None:
         self.root.removeAllChildren()
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
-        style = coin.SoDrawStyle()
-        style.lineWidth = EDGE_WIDTH
         depth = coin.SoDepthBuffer()
         depth.range = DEPTH_RANGE
-        for node in (light, style, depth):
+        for node in (light, depth):
             self.root.addChild(node)
-        for line, color in zip(lines, colors):
-            material = coin.SoBaseColor()
+        for position, (line, color) in enumerate(zip(lines, colors)):
+            style, material = coin.SoDrawStyle(), coin.SoBaseColor()
+            style.lineWidth = THICK_WIDTH if position == thick else EDGE_WIDTH
             material.rgb = color
             points, strip = coin.SoCoordinate3(), coin.SoLineSet()
             _set_vectors(points.point, np.asarray(line, np.float32))
             strip.numVertices.setValue(len(line))
-            for node in (material, points, strip):
+            for node in (style, material, points, strip):
                 self.root.addChild(node)
 
 
