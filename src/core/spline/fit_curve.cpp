@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/spline/bspline_basis.h"
@@ -71,22 +72,19 @@ KnotVector knotsThatFit(const std::vector<CurveFunction>& given,
                         KnotVector knots,
                         double tolerance,
                         int maxPoles) {
-  while (knots.poleCount() < maxPoles) {
+  while (true) {
     const std::vector<double> breaks = knots.breaks();
     std::vector<double> errors(breaks.size() - 1, 0.0);
     for (const CurveFunction& curve : given) {
       const std::vector<double> own = fitCurve(curve, knots).spanErrors;
       for (std::size_t s = 0; s < errors.size(); ++s) errors[s] = std::max(errors[s], own[s]);
     }
-    bool fits = true;
-    for (std::size_t s = 0; s < errors.size(); ++s) {
-      if (errors[s] <= tolerance) continue;
-      knots = knots.withKnot(0.5 * (breaks[s] + breaks[s + 1]));
-      fits = false;
-    }
-    if (fits) break;
+    KnotVector finer = knots;
+    for (std::size_t s = 0; s < errors.size(); ++s)
+      if (errors[s] > tolerance) finer = finer.withKnot(0.5 * (breaks[s] + breaks[s + 1]));
+    if (finer == knots || finer.poleCount() > maxPoles) return knots;
+    knots = std::move(finer);
   }
-  return knots;
 }
 
 }  // namespace fairing::spline

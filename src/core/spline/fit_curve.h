@@ -24,8 +24,8 @@ struct CurveFit {
 [[nodiscard]] CurveFit fitCurve(const CurveFunction& given, const KnotVector& knots);
 
 /// The knots on which a fit of every given curve is within `tolerance` mm: spans over which any is
-/// off are bisected until none is, or until there are `maxPoles` control points. The order of the
-/// curves is irrelevant.
+/// off are bisected until none is, or until there would be more than `maxPoles` control points. The
+/// order of the curves is irrelevant.
 [[nodiscard]] KnotVector knotsThatFit(const std::vector<CurveFunction>& given,
                                       KnotVector knots,
                                       double tolerance,
