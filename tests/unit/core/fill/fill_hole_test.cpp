@@ -200,6 +200,25 @@ TEST(FillHole, StaysWithinTheLimitOfPoles) {
   EXPECT_FALSE(fill.report.withinTolerance);
 }
 
+TEST(FillHole, StaysWithinTheLimitOfPolesFromTheFirstLayoutOn) {
+  // A fit that would take thousands of control points a side.
+  FillOptions options;
+  options.maxPoles = 400;
+  options.tolerance.relativeGap = 1e-14;
+  const FillResult fill = filled(loopOf(waves(), rectangle(0.0, 20.0, 0.0, 20.0)), options);
+  EXPECT_LE(fill.summary.poles, 400);
+  EXPECT_FALSE(fill.report.withinTolerance);
+}
+
+TEST(FillHole, ABicubicBezierPatchIsEnoughForASaddle) {
+  // All inner control points belong to the corners: the sides have no rows of their own.
+  FillOptions options;
+  options.degree = 3;
+  const FillResult fill = filled(loopOf(saddle(2.0), rectangle(-0.5, 0.5, -0.5, 0.5)), options);
+  EXPECT_EQ(fill.summary.poles, 16);
+  EXPECT_LT(fill.report.largestAngle, 1e-10);
+}
+
 TEST(FillHole, SummaryCountsWhatIsThere) {
   const FillResult fill = filled(loopOf(waves(), unitSquare()));
   EXPECT_EQ(fill.summary.poles, fill.patches[0].poles.rows());
