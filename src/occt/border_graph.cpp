@@ -30,6 +30,12 @@ std::vector<EdgeUse> stayingFaces(const std::vector<const Candidate*>& group) {
   return faces;
 }
 
+std::vector<int> numbersOf(const std::vector<EdgeUse>& uses) {
+  std::vector<int> faces;
+  for (const EdgeUse& use : uses) faces.push_back(use.face);
+  return faces;
+}
+
 /// The hole lies opposite to the face that stays, or where the removed face was.
 std::optional<Direction> headingOf(const Candidate& c) {
   const auto reversed = [](const EdgeUse& use) {
@@ -84,7 +90,11 @@ BorderGraph BorderGraph::build(const ShapeIndex& index, const Picks& picks) {
         graph.position_[slot] = int(graph.edges_.size());
       }
     }
-    if (faces.size() <= 1) graph.edges_.push_back(borderOf(chosen, faces));
+    if (faces.size() <= 1) {
+      graph.edges_.push_back(borderOf(chosen, faces));
+    } else {
+      graph.looseSeams_.push_back(numbersOf(faces));
+    }
   }
   graph.connect();
   return graph;

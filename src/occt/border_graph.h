@@ -49,6 +49,8 @@ class BorderGraph {
   [[nodiscard]] const std::vector<int>& at(int node) const { return incident_[std::size_t(node)]; }
   [[nodiscard]] int nodeCount() const { return int(points_.size()); }
   [[nodiscard]] const Eigen::Vector3d& point(int node) const { return points_[std::size_t(node)]; }
+  /// Numbers of faces that touch along coincident edges without sharing one, seam by seam.
+  [[nodiscard]] const std::vector<std::vector<int>>& looseSeams() const { return looseSeams_; }
   /// Why a picked edge is not among the edges: EdgeNotFree, EdgeWithManyFaces, EdgeDegenerate or
   /// EdgeInfinite.
   [[nodiscard]] Error refusal(int edge) const;
@@ -58,6 +60,7 @@ class BorderGraph {
   void connect();
 
   std::vector<BorderEdge> edges_;
+  std::vector<std::vector<int>> looseSeams_;
   std::vector<int> position_;    ///< by edge number
   std::vector<Error> refusals_;  ///< by edge number, for those at no position
   std::vector<std::vector<int>> incident_;

@@ -115,11 +115,22 @@ UnionFind joinPoints(const std::vector<EndPoint>& ends, double near) {
   return nodes;
 }
 
+/// Whether the samples of both edges lie together one by one, in the same or in opposite order.
+bool samplesMatch(const Candidate& a, const Candidate& b, double allowed) {
+  const auto match = [&](auto first) {
+    return std::equal(a.samples.begin(), a.samples.end(), first, [&](const auto& p, const auto& q) {
+      return (p - q).norm() <= allowed;
+    });
+  };
+  return match(b.samples.begin()) || match(b.samples.rbegin());
+}
+
 /// Whether the inner samples of one edge lie on the other.
 bool coincide(const ShapeIndex& index, const Candidate& a, const Candidate& b, double near) {
   if (std::abs(a.length - b.length) > 0.1 * std::max(a.length, b.length)) return false;
   const double allowed =
       std::min(std::max(near, a.tolerance + b.tolerance), kJoinOfEdge * a.length);
+  if (samplesMatch(a, b, allowed)) return true;
   const BRepAdaptor_Curve other(index.edge(b.edge));
   for (std::size_t i = 1; i < a.samples.size() - 1; ++i) {
     const Extrema_ExtPC feet(toPoint(a.samples[i]), other);

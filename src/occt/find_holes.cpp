@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "occt/border_graph.h"
@@ -33,27 +34,32 @@ Vector3d diagonalOf(const ShapeIndex& index, const std::vector<int>& edges) {
   return high - low;
 }
 
-/// For every face the number of its sheet: faces that share edges are one sheet.
-std::vector<int> sheets(const ShapeIndex& index) {
+/// For every face the number of its sheet: faces that share edges, or touch along them, are one
+/// sheet.
+std::vector<int> sheets(const ShapeIndex& index, const BorderGraph& graph) {
   std::vector<int> sheet(std::size_t(index.faceCount()) + 1, 0);
-  for (std::size_t i = 0; i < sheet.size(); ++i) sheet[i] = int(i);
+  std::iota(sheet.begin(), sheet.end(), 0);
   const auto root = [&](int face) {
     while (sheet[std::size_t(face)] != face) face = sheet[std::size_t(face)];
     return face;
   };
+  const auto join = [&](int one, int other) {
+    const int a = root(one);
+    const int b = root(other);
+    sheet[std::size_t(std::max(a, b))] = std::min(a, b);
+  };
   for (int edge = 1; edge <= index.edgeCount(); ++edge) {
-    for (const EdgeUse& use : index.uses(edge)) {
-      const int a = root(index.uses(edge).front().face);
-      const int b = root(use.face);
-      sheet[std::size_t(std::max(a, b))] = std::min(a, b);
-    }
+    for (const EdgeUse& use : index.uses(edge)) join(index.uses(edge).front().face, use.face);
+  }
+  for (const std::vector<int>& seam : graph.looseSeams()) {
+    for (int face : seam) join(seam.front(), face);
   }
   for (std::size_t i = 0; i < sheet.size(); ++i) sheet[i] = root(int(i));
   return sheet;
 }
 
-void markOuterBorders(const ShapeIndex& index, std::vector<Hole>& holes) {
-  const std::vector<int> sheet = sheets(index);
+void markOuterBorders(const ShapeIndex& index, const BorderGraph& graph, std::vector<Hole>& holes) {
+  const std::vector<int> sheet = sheets(index, graph);
   std::map<int, std::vector<int>> edgesOf;
   std::map<int, std::vector<std::size_t>> holesOf;
   for (int edge = 1; edge <= index.edgeCount(); ++edge) {
@@ -97,7 +103,7 @@ std::vector<Hole> findHoles(const ShapeIndex& index) {
     }
     holes.push_back(std::move(hole));
   }
-  markOuterBorders(index, holes);
+  markOuterBorders(index, graph, holes);
   return holes;
 }
 

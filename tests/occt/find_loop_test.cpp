@@ -250,8 +250,11 @@ TEST(FindLoop, RefusesALoopThatTouchesItself) {
   EXPECT_TRUE(code == ErrorCode::LoopSelfTouching || code == ErrorCode::LoopBranches) << int(code);
 }
 
-TEST(FindHoles, TellsHolesFromTheOuterBorder) {
-  const ShapeIndex index(grid(plane(), {0, 10, 20, 30, 40, 50}, {0, 10, 20, 30}, {{1, 1}, {3, 1}}));
+class FindHolesOf : public ::testing::TestWithParam<Joint> {};
+
+TEST_P(FindHolesOf, TellsHolesFromTheOuterBorder) {
+  const ShapeIndex index(
+      grid(plane(), {0, 10, 20, 30, 40, 50}, {0, 10, 20, 30}, {{1, 1}, {3, 1}}, GetParam()));
   const std::vector<Hole> holes = findHoles(index);
   ASSERT_EQ(holes.size(), 3u);
   EXPECT_EQ(std::count_if(
@@ -259,6 +262,8 @@ TEST(FindHoles, TellsHolesFromTheOuterBorder) {
             1);
   for (const Hole& hole : holes) EXPECT_EQ(hole.edges.size(), hole.isOuterBorder ? 16u : 4u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Sheets, FindHolesOf, ::testing::Values(Joint::Sewn, Joint::Loose));
 
 TEST(FindHoles, TakesBothEndsOfAPipeAsHoles) {
   auto pipe = BRepPrimAPI_MakeCylinder(5.0, 20.0);
