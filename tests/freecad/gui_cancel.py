@@ -60,7 +60,7 @@ start_a_long_solve(document, edges[0])
 gui.picture("6_long_solve")
 began = time.monotonic()
 gui.press("Cancel")
-assert time.monotonic() - began < 1.0, "Cancel keeps the user waiting"
+assert time.monotonic() - began < 1.5, "Cancel keeps the user waiting"
 nothing_is_left(document, nodes)
 
 # The window stays alive while solving: its event loop turns around at once.
