@@ -9,7 +9,7 @@ namespace fairing::boundary {
 namespace {
 
 constexpr int kSamples = 120;
-// The judge's and the report's corner zone; samples run from a corner's own point on.
+// The report's corner zone (analysis/loop_probe.h); samples run from a corner's own point on.
 constexpr double kCornerShare = 0.02;
 constexpr double kDifferenceStep = 1e-5;
 constexpr double kFarthestShare = 1e-4;  // of the diagonal: what real CAD files are off by
