@@ -57,6 +57,8 @@ std::string pickSentence(const Error& e) {
           "There is no face {}: the shape's faces are numbered 1 to {}.", e.face, count(e));
     case ErrorCode::EdgePickedTwice:
       return edge(e) + " is picked twice.";
+    case ErrorCode::NoHole:
+      return "The shape has no hole to fill: its only free edges are its outer border.";
     case ErrorCode::EdgeNotInLoop:
       return edge(e) + " is given a continuity but does not border the hole.";
     case ErrorCode::EdgeNotFree:
@@ -102,10 +104,16 @@ std::string loopSentence(const Error& e) {
     case ErrorCode::LoopBranches:
       return fmt::format(
           "After edge {}{} several edges could go on: pick more edges of the hole.", e.edge, at(e));
+    case ErrorCode::LoopCrossesItself:
+      return fmt::format("The loop crosses itself at edge {}{}.", e.edge, at(e));
     case ErrorCode::WrongSideCount:
-      return fmt::format("The hole has {} side{}; only four-sided holes can be filled so far.",
+      return fmt::format("The hole has {} corner{}, which does not suit the chosen layout.",
                          count(e),
                          count(e) == 1 ? "" : "s");
+    case ErrorCode::LayoutUnfit:
+      return fmt::format("The hole does not suit the {} layout: choose auto.", e.detail);
+    case ErrorCode::TooManySides:
+      return fmt::format("The hole has {} sides; at most 64 can be spanned.", count(e));
     default:
       return fmt::format("The loop has {} edges, too many to fill.", count(e));
   }
@@ -116,6 +124,10 @@ std::string numericSentence(const Error& e) {
     case ErrorCode::CurveNotFitted:
       return fmt::format("Edge {} cannot be followed closely enough: {} remain{}.",
                          e.edge,
+                         length(e.value),
+                         at(e));
+    case ErrorCode::InnerConstraintOff:
+      return fmt::format("An inner point lies {} from the loop{}, farther than the loop is large.",
                          length(e.value),
                          at(e));
     case ErrorCode::SystemSingular:
@@ -171,6 +183,7 @@ std::string sentence(const Error& error) {
     case ErrorCode::EdgeOutOfRange:
     case ErrorCode::FaceOutOfRange:
     case ErrorCode::EdgePickedTwice:
+    case ErrorCode::NoHole:
     case ErrorCode::EdgeNotInLoop:
     case ErrorCode::EdgeNotFree:
     case ErrorCode::EdgeWithManyFaces:
@@ -183,10 +196,14 @@ std::string sentence(const Error& error) {
     case ErrorCode::LoopNotClosed:
     case ErrorCode::LoopSelfTouching:
     case ErrorCode::LoopBranches:
+    case ErrorCode::LoopCrossesItself:
     case ErrorCode::WrongSideCount:
+    case ErrorCode::LayoutUnfit:
+    case ErrorCode::TooManySides:
     case ErrorCode::LoopTooLarge:
       return loopSentence(error);
     case ErrorCode::CurveNotFitted:
+    case ErrorCode::InnerConstraintOff:
     case ErrorCode::SystemSingular:
     case ErrorCode::NotFinite:
     case ErrorCode::Cancelled:

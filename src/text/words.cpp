@@ -10,10 +10,17 @@ namespace {
 template <class T, std::size_t n>
 using Words = std::array<std::pair<T, std::string_view>, n>;
 
-constexpr Words<Continuity, 2> kContinuities{{{Continuity::G0, "G0"}, {Continuity::G1, "G1"}}};
-constexpr Words<EnergyKind, 2> kEnergies{
-    {{EnergyKind::Membrane, "membrane"}, {EnergyKind::ThinPlate, "thin-plate"}}};
-constexpr Words<LayoutKind, 2> kLayouts{{{LayoutKind::Auto, "auto"}, {LayoutKind::Quad, "quad"}}};
+constexpr Words<Continuity, 3> kContinuities{
+    {{Continuity::G0, "G0"}, {Continuity::G1, "G1"}, {Continuity::G2, "G2"}}};
+constexpr Words<EnergyKind, 3> kEnergies{
+    {{EnergyKind::Membrane, "membrane"},
+     {EnergyKind::ThinPlate, "thin-plate"},
+     {EnergyKind::MeanCurvatureGradient, "mean-curvature-gradient"}}};
+constexpr Words<LayoutKind, 5> kLayouts{{{LayoutKind::Auto, "auto"},
+                                         {LayoutKind::Quad, "quad"},
+                                         {LayoutKind::Star, "star"},
+                                         {LayoutKind::OGrid, "o-grid"},
+                                         {LayoutKind::Trimmed, "trimmed"}}};
 
 template <class T, std::size_t n>
 std::string_view find(const Words<T, n>& words, T value) {

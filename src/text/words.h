@@ -11,9 +11,9 @@
 /// only.
 namespace fairing::text {
 
-[[nodiscard]] std::string_view word(Continuity continuity);  ///< "G0", "G1"
-[[nodiscard]] std::string_view word(EnergyKind energy);      ///< "membrane", "thin-plate"
-[[nodiscard]] std::string_view word(LayoutKind layout);      ///< "auto", "quad"
+[[nodiscard]] std::string_view word(Continuity continuity);  ///< "G0", "G1", "G2"
+[[nodiscard]] std::string_view word(EnergyKind energy);      ///< "thin-plate", ...
+[[nodiscard]] std::string_view word(LayoutKind layout);      ///< "auto", "quad", ...
 
 [[nodiscard]] std::optional<Continuity> continuityFrom(std::string_view text);
 [[nodiscard]] std::optional<EnergyKind> energyFrom(std::string_view text);

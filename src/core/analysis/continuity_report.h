@@ -52,6 +52,34 @@ struct SideReport {
   std::vector<AnglePlace> angleCurve;
 };
 
+/// Where two patches of one fill meet.
+struct SeamReport {
+  int patch = 0, other = 0;
+  Deviation gap;        ///< mm
+  Deviation angle;      ///< between the normals, degrees
+  Deviation curvature;  ///< relative difference of the normal curvatures across the seam, 0 to 1
+};
+
+/// A point or curve the patches were to pass through.
+struct InnerReport {
+  int number = 0;  ///< of the constraint, from 1 on
+  Deviation gap;   ///< distance to the patches, mm
+};
+
+/// Something the user should know that is no failure.
+enum class NoteCode {
+  EdgeAbsorbed,      ///< edge, value = length in mm: too short to be a side of its own
+  SupportSingular,   ///< edge, where: the support has no normal there; taken from its neighbourhood
+  CurvatureUnknown,  ///< edge, where: G2 asked, but the support has no curvature there
+  LoopUnfit,         ///< value = degrees: the loop does not suit the trimmed layout's plane
+};
+struct Note {
+  NoteCode code = NoteCode::EdgeAbsorbed;
+  int edge = 0;
+  Eigen::Vector3d where = Eigen::Vector3d::Zero();
+  double value = 0.0;
+};
+
 /// What keeps a corner from being met exactly.
 struct CornerReport {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
@@ -74,14 +102,21 @@ struct FairnessReport {
 struct FillReport {
   std::vector<SideReport> sides;
   std::vector<CornerReport> corners;
+  std::vector<SeamReport> seams;
+  std::vector<InnerReport> inner;
+  std::vector<Note> notes;
   FairnessReport fairness;
   double diagonal = 0.0;  ///< of the loop, mm
   double gapLimit = 0.0;  ///< the limits the verdict was made with, mm and degrees
   double angleLimit = 0.0;
   double cornerAngleLimit = 0.0;
-  double largestGap = 0.0;    ///< over all sides
-  double largestAngle = 0.0;  ///< over all sides with G1, inside
+  double curvatureLimit = 0.0;  ///< of G2 sides, relative
+  double largestGap = 0.0;      ///< over all sides
+  double largestAngle = 0.0;    ///< over all sides with G1, inside
   double largestCornerAngle = 0.0;
+  double largestCurvature = 0.0;  ///< mismatch over all sides with G2, inside, 0 to 1
+  double largestSeamGap = 0.0, largestSeamAngle = 0.0;
+  double largestInnerGap = 0.0;
   bool reversed = false;  ///< the patches' normals u x v point against the supports'
   bool withinTolerance = false;
 };

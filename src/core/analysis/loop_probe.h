@@ -3,11 +3,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/base/tolerance.h"
 #include "core/boundary/boundary_loop.h"
 
 namespace fairing::analysis {
-
-inline constexpr double kCornerZone = 0.02;  ///< share of a side's length next to either corner
 
 /// A place where a side is measured, with what the base says there. "Corner" places lie within
 /// kCornerZone of the length next to either end.

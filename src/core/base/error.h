@@ -35,6 +35,11 @@ enum class ErrorCode {
   CurveNotFitted,         ///< edge, where, value = remaining deviation in mm
   LoopTooLarge,           ///< value = number of edges
   EdgeNotInLoop,          ///< edge: a continuity is wished for an edge the hole does not have
+  NoHole,                 ///< the shape has no loop of free edges but outer borders
+  LoopCrossesItself,      ///< edge, where
+  TooManySides,           ///< value = number of sides
+  InnerConstraintOff,     ///< value = distance in mm, where: farther from the loop than it is large
+  LayoutUnfit,            ///< detail = "quad", "star", ...: the loop does not suit the asked layout
   // numerics
   SystemSingular,  ///< the linear system has no unique solution
   NotFinite,       ///< a NaN or an infinity came in or out; edge if known

@@ -7,6 +7,7 @@ namespace fairing {
 enum class Continuity {
   G0,  ///< the curve is shared
   G1,  ///< and the tangent plane
+  G2,  ///< and the normal curvature across the side
 };
 
 }  // namespace fairing

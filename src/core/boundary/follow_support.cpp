@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/tolerance.h"
+
 namespace fairing::boundary {
 namespace {
 
 constexpr int kSamples = 120;
-// The report's corner zone (analysis/loop_probe.h); samples run from a corner's own point on.
-constexpr double kCornerShare = 0.02;
 constexpr double kDifferenceStep = 1e-5;
 constexpr double kFarthestShare = 1e-4;  // of the diagonal: what real CAD files are off by
 constexpr double kEndsShare = 1e-8;      // of the diagonal: an end closer than this does not move
@@ -33,7 +33,7 @@ Departure departureOf(const Ribbon& ribbon, double angle, double cornerAngle) {
     if (support.singular) continue;
     const CurveSample curve = ribbon.curve(t);
     const double sine = std::abs(support.normal.dot(curve.derivative.normalized()));
-    const double allowed = t < kCornerShare || t > 1.0 - kCornerShare ? cornerAngle : angle;
+    const double allowed = t < kCornerZone || t > 1.0 - kCornerZone ? cornerAngle : angle;
     worst.angleRatio = std::max(
         worst.angleRatio, std::asin(std::min(1.0, sine)) * 180.0 / std::numbers::pi / allowed);
     const double distance = (support.point - curve.point).norm();

@@ -8,6 +8,7 @@ EnergyTerms energyTerms(EnergyKind kind) {
     case EnergyKind::Membrane:
       return membrane();
     case EnergyKind::ThinPlate:
+    case EnergyKind::MeanCurvatureGradient:
       break;
   }
   return thinPlate();

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/base/tolerance.h"
 #include "core/boundary/continuity.h"
+#include "core/constraint/inner_constraint.h"
 #include "core/energy/energy_kind.h"
 #include "core/energy/guidance.h"
 #include "core/layout/layout_kind.h"
@@ -16,7 +17,8 @@ namespace fairing {
 struct FillOptions {
   LayoutKind layout = LayoutKind::Auto;
   EnergyKind energy = EnergyKind::ThinPlate;
-  energy::Guidance guidance;  ///< lambda, gamma and what they refer to; none by default
+  std::vector<InnerConstraint> through;  ///< what the patches must pass through
+  energy::Guidance guidance;             ///< lambda, gamma and what they refer to; none by default
   Tolerance tolerance;
   int degree = 0;          ///< 0 = chosen from the edges; else 3 to 9, never below the edges' own
   int maxRefinements = 6;  ///< solves after the first one

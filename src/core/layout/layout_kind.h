@@ -4,8 +4,11 @@
 namespace fairing {
 
 enum class LayoutKind {
-  Auto,  ///< chosen from the loop
-  Quad,  ///< one patch between four sides
+  Auto,     ///< chosen from the loop
+  Quad,     ///< one patch between four sides
+  Star,     ///< a patch a corner round one inner vertex, three corners or more
+  OGrid,    ///< a ring of four patches round an inner one: round holes, one or two corners
+  Trimmed,  ///< one surface over a plane, trimmed by the loop
 };
 
 }  // namespace fairing

@@ -25,6 +25,7 @@ Result<PatchLayout> makeLayout(const boundary::BoundaryLoop& loop, const LayoutO
   switch (options.kind) {
     case LayoutKind::Auto:
     case LayoutKind::Quad:
+    default:
       break;
   }
   if (loop.sides.size() != 4)
@@ -42,6 +43,7 @@ Result<PatchLayout> refineLayout(const boundary::BoundaryLoop& loop,
   switch (layout.kind) {
     case LayoutKind::Auto:
     case LayoutKind::Quad:
+    default:
       break;
   }
   const LayoutPatch& patch = layout.patches.front();

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "core/layout/patch_layout.h"
+#include "core/shape_energy/shape_energy.h"
+#include "core/spline/bspline_surface.h"
+
+namespace fairing::assembly {
+
+/// The Gauss-Newton model of a shape energy over one span of one patch, about the given patches:
+///   E(x + d) ~ value + gradient . d + 1/2 d' hessian d,   gradient = 2 J'r,  hessian = 2 J'J,
+/// d the coordinates of the span's control points, 3 a point.
+struct ShapeElement {
+  std::vector<int> points;  ///< point numbers of the layout
+  double value = 0.0;
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd hessian;
+};
+
+/// One element a span, by Gauss-Legendre with `points` a direction (0 = degree).
+[[nodiscard]] std::vector<ShapeElement> assembleShapeEnergy(
+    const layout::PatchLayout& layout,
+    const std::vector<spline::BsplineSurface>& patches,
+    const shape_energy::ShapeEnergy& energy,
+    int points = 0);
+
+/// The energy alone, by the same quadrature.
+[[nodiscard]] double shapeEnergyOf(const std::vector<spline::BsplineSurface>& patches,
+                                   const shape_energy::ShapeEnergy& energy,
+                                   int points = 0);
+
+}  // namespace fairing::assembly
