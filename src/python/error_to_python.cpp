@@ -60,6 +60,16 @@ const char* name(ErrorCode code) {
       return "SupportNormalSingular";
     case ErrorCode::CurveNotFitted:
       return "CurveNotFitted";
+    case ErrorCode::NoHole:
+      return "NoHole";
+    case ErrorCode::LoopCrossesItself:
+      return "LoopCrossesItself";
+    case ErrorCode::TooManySides:
+      return "TooManySides";
+    case ErrorCode::InnerConstraintOff:
+      return "InnerConstraintOff";
+    case ErrorCode::LayoutUnfit:
+      return "LayoutUnfit";
     case ErrorCode::EdgeNotInLoop:
       return "EdgeNotInLoop";
     case ErrorCode::LoopTooLarge:
