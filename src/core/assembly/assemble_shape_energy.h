@@ -18,7 +18,9 @@ struct ShapeElement {
   Eigen::MatrixXd hessian;
 };
 
-/// One element a span, by Gauss-Legendre with `points` a direction (0 = degree).
+/// One element a span, by Gauss-Legendre with `points` a span and direction; 0 = the degree there,
+/// which leaves no zero modes but the energy's own and is good to 1e-3 of a shape that its spans
+/// can write. The patches lie on the layout's knots. Not finite where a normal vanishes.
 [[nodiscard]] std::vector<ShapeElement> assembleShapeEnergy(
     const layout::PatchLayout& layout,
     const std::vector<spline::BsplineSurface>& patches,

@@ -2,11 +2,13 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "core/spline/fundamental_forms.h"
+
 namespace fairing::shape_energy {
 
 /// The partial derivatives of R that an energy of the shape depends on, one a column: R_u, R_v,
 /// R_uu, R_uv, R_vv, R_uuu, R_uuv, R_uvv, R_vvv.
-using Jet = Eigen::Matrix<double, 3, 9>;
+using Jet = spline::ThirdOrderJet;
 
 inline constexpr int kMostResiduals = 4;
 using Residuals = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostResiduals, 1>;
