@@ -7,55 +7,20 @@
 #include <cmath>
 #include <limits>
 
+#include "core/spline/fundamental_forms.h"
 #include "core/spline/quadrature.h"
 
-// Notation: E, F, G first form; l, m, n second form times W with W^2 = EG - F^2 (normal m = R_u x
-// R_v not of unit length); q = E n - 2 F m + G l, so that  H = q / (2 W^3),  K = (l n - m^2) / W^4.
+// With W^2 = EG - F^2 and the second form against R_u x R_v (fundamental_forms.h), that is times W:
+// q = E n - 2 F m + G l,   H = q / (2 W^3),   K = (l n - m^2) / W^4.
 
 namespace fairing::analysis {
 namespace {
 
 using Eigen::Vector3d;
 
-struct Jet3 {
-  explicit Jet3(const spline::Partials& all) : all_(all) {}
-  [[nodiscard]] Vector3d operator()(int a, int b) const { return all_.col(4 * a + b); }
-
- private:
-  const spline::Partials& all_;
-};
-
-// Value of a quantity and its derivatives along u and v.
-struct Jet1 {
-  double value, u, v;
-};
-
-Jet1 product(const Jet1& a, const Jet1& b) {
-  return {a.value * b.value, a.u * b.value + a.value * b.u, a.v * b.value + a.value * b.v};
-}
-
-// R_(a,b) . R_(c,d) with its derivatives.
-Jet1 dot(const Jet3& r, int a, int b, int c, int d) {
-  return {r(a, b).dot(r(c, d)),
-          r(a + 1, b).dot(r(c, d)) + r(a, b).dot(r(c + 1, d)),
-          r(a, b + 1).dot(r(c, d)) + r(a, b).dot(r(c, d + 1))};
-}
-
-// (R_u x R_v) . R_(a,b) with its derivatives.
-Jet1 height(const Jet3& r, int a, int b) {
-  const Vector3d m = r(1, 0).cross(r(0, 1));
-  const Vector3d mu = r(2, 0).cross(r(0, 1)) + r(1, 0).cross(r(1, 1));
-  const Vector3d mv = r(1, 1).cross(r(0, 1)) + r(1, 0).cross(r(0, 2));
-  return {
-      m.dot(r(a, b)), mu.dot(r(a, b)) + m.dot(r(a + 1, b)), mv.dot(r(a, b)) + m.dot(r(a, b + 1))};
-}
-
 Curvature curvatureFrom(const spline::Partials& partials) {
-  const Jet3 r(partials);
-  const Jet1 e = dot(r, 1, 0, 1, 0), f = dot(r, 1, 0, 0, 1), g = dot(r, 0, 1, 0, 1);
-  const Jet1 l = height(r, 2, 0), m = height(r, 1, 1), n = height(r, 0, 2);
-  const Jet1 en = product(e, n), fm = product(f, m), gl = product(g, l);
-  const Jet1 eg = product(e, g), ff = product(f, f);
+  const auto [e, f, g, l, m, n] = spline::fundamentalForms(spline::thirdOrderJet(partials));
+  const spline::FirstOrderJet en = e * n, fm = f * m, gl = g * l, eg = e * g, ff = f * f;
   const double w2 = eg.value - ff.value, w = std::sqrt(w2), w3 = w2 * w;
   const double q = en.value - 2.0 * fm.value + gl.value;
   Curvature c;
