@@ -53,8 +53,8 @@ double Curvature::largest() const {
   return std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
 }
 
-Curvature curvatureAt(const spline::BsplineSurface& surface, double s, double t) {
-  return curvatureFrom(surface.derivatives(s, t, 3));
+Curvature curvatureAt(const spline::BsplineSurface& surface, double u, double v) {
+  return curvatureFrom(surface.derivatives(u, v, 3));
 }
 
 double normalCurvature(const spline::SurfaceJet& jet, const Vector3d& direction) {
