@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fairing's native module: holes of shapes filled with B-spline faces. Lengths in mm, angles in degrees."""
 
-from typing import Any, Mapping, Optional, Sequence
+from typing import Any, Collection, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,11 +30,30 @@ class Fill:
         self, divisions: int = 32
     ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int32]]: ...
     @property
+    def composition(self) -> str: ...
+    @property
     def report(self) -> dict[str, Any]: ...
     @property
     def table(self) -> str: ...
     @property
     def verdict(self) -> str: ...
+    @property
+    def within_tolerance(self) -> bool: ...
+
+class HoleFill:
+    @property
+    def edges(self) -> list[int]: ...
+    @property
+    def fill(self) -> Optional[Fill]: ...
+    @property
+    def error(self) -> str: ...
+
+class FillAll:
+    def brep(self) -> bytes: ...
+    @property
+    def holes(self) -> list[HoleFill]: ...
+    @property
+    def table(self) -> str: ...
     @property
     def within_tolerance(self) -> bool: ...
 
@@ -52,6 +71,8 @@ class Shape:
         faces: Sequence[int] = [],
         continuity: str = "G1",
         edge_continuity: Mapping[int, str] = {},
+        tangents: Mapping[int, Sequence[float]] = {},
+        symmetry: Mapping[int, Sequence[float]] = {},
     ) -> list[dict[str, Any]]: ...
     def fill(
         self,
@@ -59,6 +80,9 @@ class Shape:
         faces: Sequence[int] = [],
         continuity: str = "G1",
         edge_continuity: Mapping[int, str] = {},
+        tangents: Mapping[int, Sequence[float]] = {},
+        symmetry: Mapping[int, Sequence[float]] = {},
+        through: Sequence[Union[bytes, Sequence[float]]] = [],
         layout: str = "auto",
         energy: str = "thin-plate",
         lambda_: float = 0.0,
@@ -72,6 +96,27 @@ class Shape:
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> Fill: ...
+    def fill_all(
+        self,
+        outer_borders: bool = False,
+        skipped: Collection[int] = set(),
+        continuity: str = "G1",
+        edge_continuity: Mapping[int, str] = {},
+        tangents: Mapping[int, Sequence[float]] = {},
+        symmetry: Mapping[int, Sequence[float]] = {},
+        layout: str = "auto",
+        energy: str = "thin-plate",
+        lambda_: float = 0.0,
+        gamma: float = 0.0,
+        reference: Optional[bytes] = None,
+        guide: Sequence[Mapping[str, Any]] = [],
+        tolerance: Optional[float] = None,
+        angle: float = 0.02,
+        degree: int = 0,
+        max_poles: int = 10000,
+        result: str = "patches",
+        progress: Optional[Progress] = None,
+    ) -> FillAll: ...
     def measure(
         self,
         patches: Shape,

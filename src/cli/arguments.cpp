@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "cli/arguments.h"
 
-#include <charconv>
-
 #include "cli/guide_file.h"
+#include "cli/parse.h"
+#include "cli/through.h"
+#include "occt/inner_constraints.h"
 #include "occt/reference.h"
 #include "occt/shape_file.h"
 #include "text/words.h"
@@ -11,36 +12,34 @@
 namespace fairing::cli {
 namespace {
 
-Error unknown(const std::string& option, const std::string& word) {
-  return {.code = ErrorCode::UnknownChoice, .detail = "\"" + word + "\" for " + option};
-}
-
-/// "7" or FreeCAD's "Edge7".
-std::optional<int> parseNumber(std::string_view word, std::string_view name) {
-  if (word.starts_with(name)) word.remove_prefix(name.size());
-  int number = 0;
-  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (status != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return number;
-}
-
-Result<std::vector<int>> parseNumbers(const std::vector<std::string>& words,
-                                      const std::string& option,
-                                      std::string_view name) {
-  std::vector<int> numbers;
-  for (const std::string& word : words) {
-    const auto number = parseNumber(word, name);
-    if (!number) return fail(unknown(option, word));
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
 void addList(CLI::App& command,
              const char* name,
              std::vector<std::string>& list,
              const char* help) {
   command.add_option(name, list, help)->delimiter(',')->allow_extra_args(false);
+}
+
+void addRepeated(CLI::App& command,
+                 const char* name,
+                 std::vector<std::string>& list,
+                 const char* help) {
+  command.add_option(name, list, help)->allow_extra_args(false);
+}
+
+using Directions = std::map<int, occt::EdgeDirection>;
+
+/// "7=0,0,1" into the directions of edges.
+Result<void> addDirections(const std::vector<std::string>& words,
+                           const std::string& option,
+                           occt::EdgeDirection::Kind kind,
+                           Directions& directions) {
+  for (const std::string& word : words) {
+    const auto wish = parseWish(word);
+    const auto direction = wish ? parseVector(wish->second) : std::nullopt;
+    if (!direction || !(direction->norm() > 0.0)) return fail(unknown(option, word));
+    directions[wish->first] = {*direction, kind};
+  }
+  return {};
 }
 
 }  // namespace
@@ -53,8 +52,16 @@ void PickArguments::addTo(CLI::App& command) {
   addList(
       command, "--faces,--face", faces, "faces that are to be replaced: their border is the hole");
   command.add_option(
-      "--continuity", continuity, "G0 or G1, of every edge with a face beside it (default G1)");
-  addList(command, "--edge-continuity", edgeContinuity, "of single edges, such as 7=G0,9=G1");
+      "--continuity", continuity, "G0, G1 or G2 to every face beside the hole (default G1)");
+  addList(command, "--edge-continuity", edgeContinuity, "of single edges, such as 7=G0,9=G2");
+  addRepeated(command,
+              "--tangent",
+              tangents,
+              "EDGE=x,y,z: a direction in the tangent plane along an edge, in place of a face");
+  addRepeated(command,
+              "--symmetry",
+              symmetries,
+              "EDGE=x,y,z: normal of a symmetry plane that an edge lies in");
   command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the hole's diagonal)");
   command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
 }
@@ -71,13 +78,16 @@ Result<occt::Picks> PickArguments::picks() const {
   if (!common) return fail(unknown("--continuity", continuity));
   result.continuity = *common;
   for (const std::string& word : edgeContinuity) {
-    const std::size_t sign = word.find('=');
-    const auto edge = parseNumber(std::string_view(word).substr(0, sign), "Edge");
-    const auto wish =
-        sign == std::string::npos ? std::nullopt : text::continuityFrom(word.substr(sign + 1));
-    if (!edge || !wish) return fail(unknown("--edge-continuity", word));
-    result.edgeContinuity[*edge] = *wish;
+    const auto wish = parseWish(word);
+    const auto asked = wish ? text::continuityFrom(wish->second) : std::nullopt;
+    if (!asked) return fail(unknown("--edge-continuity", word));
+    result.edgeContinuity[wish->first] = *asked;
   }
+  using Kind = occt::EdgeDirection::Kind;
+  const auto added = addDirections(tangents, "--tangent", Kind::Tangent, result.directions);
+  if (!added) return fail(added.error());
+  const auto mirrored = addDirections(symmetries, "--symmetry", Kind::Symmetry, result.directions);
+  if (!mirrored) return fail(mirrored.error());
   return result;
 }
 
@@ -93,8 +103,19 @@ void FillArguments::addTo(CLI::App& command) {
   command.add_option("SHAPE", shape, "the shape with the hole, .brep or .step")->required();
   command.add_option("-o,--out", out, "where the result goes, .brep or .step")->required();
   picks.addTo(command);
-  command.add_option("--layout", layout, "auto or quad (default auto)");
-  command.add_option("--energy", energy, "thin-plate or membrane (default thin-plate)");
+  command.add_option("--layout", layout, "auto, quad, star, o-grid or trimmed (default auto)");
+  command.add_option("--energy",
+                     energy,
+                     "thin-plate, membrane or mean-curvature-gradient (default " + energy + ")");
+  addRepeated(
+      command,
+      "--through",
+      through,
+      "x,y,z: a point to pass through; or a file: the edges and lone vertices of a shape, or "
+      "points, one a line");
+  addList(command, "--through-edges", throughEdges, "edges of SHAPE to pass through");
+  addList(command, "--through-vertices", throughVertices, "vertices of SHAPE to pass through");
+  command.add_flag("--outer", outer, "fill outer borders, too, where no edge is given");
   command.add_option("--lambda", lambda, "weight of the guiding normals (default 0)");
   command.add_option("--gamma", gamma, "weight of the reference surface (default 0)");
   command.add_option(
@@ -135,6 +156,24 @@ Result<FillOptions> FillArguments::options() const {
   }
   if (const auto error = validate(chosen)) return fail(*error);
   return chosen;
+}
+
+Result<std::vector<InnerConstraint>> FillArguments::innerConstraints(
+    const occt::ShapeIndex& index) const {
+  std::vector<InnerConstraint> all;
+  for (const std::string& word : through) {
+    auto read = readThrough(word);
+    if (!read) return fail(read.error());
+    all.insert(all.end(), read->begin(), read->end());
+  }
+  const auto edges = parseNumbers(throughEdges, "--through-edges", "Edge");
+  if (!edges) return fail(edges.error());
+  const auto vertices = parseNumbers(throughVertices, "--through-vertices", "Vertex");
+  if (!vertices) return fail(vertices.error());
+  const auto parts = occt::throughParts(index, *edges, *vertices);
+  if (!parts) return fail(parts.error());
+  all.insert(all.end(), parts->begin(), parts->end());
+  return all;
 }
 
 Result<occt::ResultMode> FillArguments::mode() const {

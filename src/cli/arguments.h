@@ -9,6 +9,8 @@
 #include "core/fill/fill_options.h"
 #include "occt/picks.h"
 #include "occt/result_mode.h"
+#include "occt/shape_index.h"
+#include "text/words.h"
 
 namespace fairing::cli {
 
@@ -17,7 +19,7 @@ namespace fairing::cli {
 struct PickArguments {
   std::vector<std::string> edges, faces;
   std::string continuity = "G1";
-  std::vector<std::string> edgeContinuity;
+  std::vector<std::string> edgeContinuity, tangents, symmetries;
   std::optional<double> gap, angle;
 
   void addTo(CLI::App& command);
@@ -30,7 +32,9 @@ struct PickArguments {
 struct FillArguments {
   std::string shape, out, report;
   PickArguments picks;
-  std::string layout = "auto", energy = "thin-plate", result = "patches";
+  std::string layout = "auto", energy{text::word(FillOptions{}.energy)}, result = "patches";
+  std::vector<std::string> through, throughEdges, throughVertices;
+  bool outer = false;
   double lambda = 0.0, gamma = 0.0;
   std::string reference, guide;
   int degree = 0, maxPoles = FillOptions{}.maxPoles;
@@ -40,6 +44,10 @@ struct FillArguments {
   /// validate(), readShape() and readGuide().
   [[nodiscard]] Result<FillOptions> options() const;
   [[nodiscard]] Result<occt::ResultMode> mode() const;
+  /// What the patches must pass through. Fails with UnknownChoice, EdgeOutOfRange, VertexOutOfRange
+  /// and the codes of readThrough().
+  [[nodiscard]] Result<std::vector<InnerConstraint>> innerConstraints(
+      const occt::ShapeIndex& index) const;
 };
 
 struct ReportArguments {

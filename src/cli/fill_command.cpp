@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/targets.h"
-#include "occt/fill_shape.h"
+#include "occt/fill_all.h"
 #include "occt/shape_file.h"
 #include "text/error_text.h"
 #include "text/report_json.h"
@@ -41,51 +42,59 @@ Result<Job> prepare(const FillArguments& arguments) {
   if (!shape) return fail(shape.error());
   Job job{std::move(*options), *mode, occt::ShapeIndex(*shape), {}};
   if (job.index.edgeCount() == 0) return fail({.code = ErrorCode::ShapeEmpty});
-  auto holes = targets(job.index, *picks);
+  auto through = arguments.innerConstraints(job.index);
+  if (!through) return fail(through.error());
+  job.options.through = std::move(*through);
+  auto holes = targets(job.index, *picks, arguments.outer);
   if (!holes) return fail(holes.error());
   job.holes = std::move(*holes);
   return job;
 }
 
-/// What came of the holes.
-struct Fills {
-  std::vector<occt::JoinPart> parts;
-  std::vector<int> replaced;
-  nlohmann::json reports = nlohmann::json::array();
-  std::vector<std::string> failures;  ///< a sentence a hole
-  bool allWithin = true;
-};
-
-std::string failureOf(const occt::Picks& hole, const Error& error, bool single) {
-  const std::string why = text::sentence(error);
-  return single ? why : fmt::format("Hole at edge {}: {}", hole.edges.front(), why);
+/// One hole is told edge by edge, several in a line each.
+void tell(const std::vector<occt::HoleFill>& holes) {
+  std::vector<text::HoleLine> lines;
+  for (const occt::HoleFill& hole : holes) {
+    lines.push_back({hole.edges,
+                     hole.fill ? &hole.fill->fill : nullptr,
+                     hole.fill ? nullptr : &hole.fill.error()});
+  }
+  if (lines.size() > 1) {
+    fmt::print("{}", text::table(lines));
+  } else if (const FillResult* only = lines.front().fill) {
+    fmt::print("{}\n{}{}\n",
+               text::verdict(only->report),
+               text::table(only->report),
+               text::composition(*only));
+  }
 }
 
-Fills fillAll(const Job& job) {
-  Fills fills;
-  for (const occt::Picks& hole : job.holes) {
-    auto filled = occt::fillShape(job.index, hole, job.options, occt::ResultMode::Patches);
-    if (!filled) {
-      fills.failures.push_back(failureOf(hole, filled.error(), job.holes.size() == 1));
-      fills.allWithin = false;
-      continue;
+nlohmann::json reportOf(const occt::AllFilled& all) {
+  nlohmann::json holes = nlohmann::json::array(), failed = nlohmann::json::array();
+  for (const occt::HoleFill& hole : all.holes) {
+    if (hole.fill) {
+      holes.push_back(text::toJson(hole.fill->fill));
+    } else {
+      failed.push_back({{"edges", hole.edges}, {"error", text::sentence(hole.fill.error())}});
     }
-    const analysis::FillReport& report = filled->fill.report;
-    fmt::print("{}\n{}", text::verdict(report), text::table(report));
-    fills.allWithin = fills.allWithin && report.withinTolerance;
-    fills.reports.push_back(text::toJson(filled->fill));
-    fills.parts.push_back({filled->shape, std::move(filled->loop), report.largestGap});
-    fills.replaced.insert(fills.replaced.end(), hole.faces.begin(), hole.faces.end());
   }
-  return fills;
+  return {{"within_tolerance", all.withinTolerance()}, {"holes", holes}, {"failed", failed}};
 }
 
 /// Nothing could be filled: still one line.
-Outcome complainOnce(const std::vector<std::string>& failures) {
-  const std::size_t more = failures.size() - 1;
-  complain(failures.front() +
+Outcome complainOnce(const std::vector<occt::HoleFill>& holes) {
+  const std::size_t more = holes.size() - 1;
+  complain(text::sentence(holes.front().fill.error()) +
            (more > 0 ? fmt::format(" {} more cannot be filled either.", more) : ""));
   return Outcome::NothingWritten;
+}
+
+void complainOfFailures(const std::vector<occt::HoleFill>& holes) {
+  for (const occt::HoleFill& hole : holes) {
+    if (hole.fill) continue;
+    complain(
+        fmt::format("Hole at edge {}: {}", hole.edges.front(), text::sentence(hole.fill.error())));
+  }
 }
 
 }  // namespace
@@ -93,19 +102,27 @@ Outcome complainOnce(const std::vector<std::string>& failures) {
 Outcome runFill(const FillArguments& arguments) {
   const auto job = prepare(arguments);
   if (!job) return complain(job.error());
-  const Fills fills = fillAll(*job);
-  if (fills.parts.empty()) return complainOnce(fills.failures);
-
-  const auto result = occt::joinResult(job->index, fills.replaced, fills.parts, job->mode);
-  if (!result) return complain(result.error());
-  const auto written = occt::writeShape(*result, arguments.out);
-  if (!written) return complain(written.error());
-  for (const std::string& failure : fills.failures) complain(failure);
-  if (!arguments.report.empty()) {
-    const nlohmann::json all{{"within_tolerance", fills.allWithin}, {"holes", fills.reports}};
-    if (const auto told = writeJson(all, arguments.report); !told) complain(told.error());
+  if (job->holes.size() > 1 && !job->options.through.empty()) {
+    complain(
+        fmt::format("What to pass through belongs to one hole, and the shape has {}: pick an "
+                    "edge of the hole with --edges.",
+                    job->holes.size()));
+    return Outcome::NothingWritten;
   }
-  return fills.allWithin ? Outcome::WithinTolerance : Outcome::OutOfTolerance;
+  auto filled = occt::fillHoles(job->index, job->holes, job->options);
+  const auto isFilled = [](const occt::HoleFill& hole) { return hole.fill.has_value(); };
+  if (std::none_of(filled.begin(), filled.end(), isFilled)) return complainOnce(filled);
+  const auto all = occt::joinHoles(job->index, std::move(filled), job->mode);
+  if (!all) return complain(all.error());
+  const auto written = occt::writeShape(all->shape, arguments.out);
+  if (!written) return complain(written.error());
+  tell(all->holes);
+  complainOfFailures(all->holes);
+  if (!arguments.report.empty()) {
+    if (const auto told = writeJson(reportOf(*all), arguments.report); !told)
+      complain(told.error());
+  }
+  return all->withinTolerance() ? Outcome::WithinTolerance : Outcome::OutOfTolerance;
 }
 
 }  // namespace fairing::cli

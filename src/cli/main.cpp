@@ -43,7 +43,7 @@ Outcome run(int argc, char** argv) {
   }
   if (*fillCommand) return fairing::cli::runFill(fill);
   if (*reportCommand) return fairing::cli::runReport(report);
-  fairing::cli::complain("Blending is not available yet; fairing fill fills four-sided holes.");
+  fairing::cli::complain("Blending is not available yet; fairing fill fills holes.");
   return Outcome::NothingWritten;
 }
 

@@ -8,10 +8,10 @@
 
 namespace fairing::cli {
 
-/// The holes a command works on: the one that is picked, or every loop of free edges except outer
-/// borders. Wishes for single edges go to the hole that has the edge. Fails with NothingPicked or
-/// EdgeNotInLoop.
+/// The holes a command works on: the one that is picked, or every loop of free edges; outer borders
+/// only where asked for. Fails with the codes of chooseHoles().
 [[nodiscard]] Result<std::vector<occt::Picks>> targets(const occt::ShapeIndex& index,
-                                                       const occt::Picks& picks);
+                                                       const occt::Picks& picks,
+                                                       bool outerBorders = false);
 
 }  // namespace fairing::cli

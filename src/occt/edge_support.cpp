@@ -100,6 +100,7 @@ SupportSample EdgeSupport::limit(double parameter, const SurfacePoint& foot) con
     if (!far || !near || (far->normal - near->normal).norm() > kLimitTurn) continue;
     SupportSample result = *near;
     result.point = foot.point;
+    result.isLimit = true;
     result.normal = (2.0 * near->normal - far->normal).normalized();
     return result;
   }

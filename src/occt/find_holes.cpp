@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 
 #include "occt/border_graph.h"
+#include "occt/border_turning.h"
 #include "occt/find_loop.h"
 #include "occt/loop_walk.h"
 
@@ -19,6 +21,9 @@ using Eigen::Vector3d;
 constexpr double kAsLargeAsSheet = 0.9;
 /// ... and every other loop of the sheet at most this share of the border's.
 constexpr double kClearlySmaller = 0.98;
+/// The only loop of a sheet is its outer border where it turns by less than this (radians); the rim
+/// of a flat sheet turns by -2 pi, that of half a sphere by 0.
+constexpr double kTurnsRound = -1.5 * std::numbers::pi;
 
 Vector3d diagonalOf(const ShapeIndex& index, const std::vector<int>& edges) {
   Vector3d low = Vector3d::Constant(1e300);
@@ -58,7 +63,11 @@ std::vector<int> sheets(const ShapeIndex& index, const BorderGraph& graph) {
   return sheet;
 }
 
-void markOuterBorders(const ShapeIndex& index, const BorderGraph& graph, std::vector<Hole>& holes) {
+/// `loops` are the holes as loops of the graph.
+void markOuterBorders(const ShapeIndex& index,
+                      const BorderGraph& graph,
+                      const std::vector<std::vector<LoopEdge>>& loops,
+                      std::vector<Hole>& holes) {
   const std::vector<int> sheet = sheets(index, graph);
   std::map<int, std::vector<int>> edgesOf;
   std::map<int, std::vector<std::size_t>> holesOf;
@@ -75,7 +84,11 @@ void markOuterBorders(const ShapeIndex& index, const BorderGraph& graph, std::ve
     }
   }
   for (const auto& [number, members] : holesOf) {
-    if (members.size() < 2) continue;
+    if (members.size() < 2) {
+      Hole& only = holes[members.front()];
+      only.isOuterBorder = turningAlong(index, graph, loops[members.front()]) < kTurnsRound;
+      continue;
+    }
     std::vector<std::pair<double, std::size_t>> sizes;
     for (std::size_t i : members) sizes.emplace_back(diagonalOf(index, holes[i].edges).norm(), i);
     std::sort(sizes.rbegin(), sizes.rend());
@@ -92,18 +105,20 @@ std::vector<Hole> findHoles(const ShapeIndex& index) {
   const LoopWalk walk(index, graph, {});
   std::set<int> done;
   std::vector<Hole> holes;
+  std::vector<std::vector<LoopEdge>> loops;
   for (std::size_t i = 0; i < graph.edges().size(); ++i) {
     if (done.contains(int(i)) || !graph.edges()[i].support) continue;
     auto found = walk.from(int(i));
     if (!found) continue;
     Hole hole;
-    for (const LoopEdge& e : canonical(graph, std::move(*found))) {
+    loops.push_back(canonical(graph, std::move(*found)));
+    for (const LoopEdge& e : loops.back()) {
       done.insert(e.border);
       hole.edges.push_back(graph.edges()[std::size_t(e.border)].edge);
     }
     holes.push_back(std::move(hole));
   }
-  markOuterBorders(index, graph, holes);
+  markOuterBorders(index, graph, loops, holes);
   return holes;
 }
 

@@ -18,11 +18,12 @@ struct JoinPart {
   double gap = 0.0;
 };
 
-/// Puts the new faces together as asked. Into the base: `replaced` faces (FreeCAD's numbers) are
-/// left out first, edges are sewn where they are within twice the measured gap (never less than the
-/// edges' own tolerances), and a closed result becomes a solid of positive volume. Sewing keeps one
-/// of two edges and raises its tolerance to the distance found, so tolerances of the result are
-/// true. Fails with SewingOpen where an edge beside a face stays free, or ResultInvalid.
+/// Puts the new faces together as asked: as they are, as a shell a part, or into the base. There
+/// `replaced` faces (FreeCAD's numbers) are left out first, edges are sewn where they are within
+/// twice the measured gap (never less than the edges' own tolerances), and a closed result becomes
+/// a solid of positive volume. Sewing keeps one of two edges and raises its tolerance to the
+/// distance found, so tolerances of the result are true. Fails with SewingOpen where an edge beside
+/// a face stays free, or ResultInvalid.
 [[nodiscard]] Result<TopoDS_Shape> joinResult(const ShapeIndex& base,
                                               const std::vector<int>& replaced,
                                               const std::vector<JoinPart>& parts,

@@ -5,10 +5,12 @@
 #include <memory>
 
 #include "occt/border_graph.h"
+#include "occt/direction_support.h"
 #include "occt/edge_curve.h"
 #include "occt/edge_support.h"
 #include "occt/find_loop.h"
 #include "occt/guarded.h"
+#include "occt/loop_crossing.h"
 
 namespace fairing::occt {
 namespace {
@@ -59,6 +61,7 @@ double supportDeviation(const Ribbon& ribbon) {
 Continuity wish(const Picks& picks, const BorderEdge& border) {
   const auto own = picks.edgeContinuity.find(border.edge);
   if (own != picks.edgeContinuity.end()) return own->second;
+  if (picks.directions.contains(border.edge)) return std::min(picks.continuity, Continuity::G1);
   return border.support ? picks.continuity : Continuity::G0;
 }
 
@@ -75,6 +78,21 @@ BoundarySide makeSide(const ShapeIndex& index,
   return side;
 }
 
+/// EdgeNotInLoop for a wish about an edge that is none of the sides, if there is one.
+std::optional<Error> strayWish(const Picks& picks, const std::vector<BoundarySide>& sides) {
+  const auto isStray = [&](int edge) {
+    return std::none_of(
+        sides.begin(), sides.end(), [&](const BoundarySide& side) { return side.edge == edge; });
+  };
+  for (const auto& [edge, wish] : picks.edgeContinuity) {
+    if (isStray(edge)) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+  }
+  for (const auto& [edge, direction] : picks.directions) {
+    if (isStray(edge)) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<boundary::BoundaryLoop> readBoundary(const ShapeIndex& index, const Picks& picks) {
@@ -86,12 +104,12 @@ Result<boundary::BoundaryLoop> readBoundary(const ShapeIndex& index, const Picks
     for (const LoopEdge& e : *loop) {
       sides.push_back(makeSide(index, picks, graph.edges()[std::size_t(e.border)], e.direction));
     }
-    for (const auto& [edge, continuity] : picks.edgeContinuity) {
-      const bool known = std::any_of(
-          sides.begin(), sides.end(), [&](const BoundarySide& side) { return side.edge == edge; });
-      if (!known) return fail({.code = ErrorCode::EdgeNotInLoop, .edge = edge});
-    }
-    return boundary::makeLoop(std::move(sides));
+    if (const auto error = strayWish(picks, sides)) return fail(*error);
+    if (const auto error = giveDirections(picks.directions, sides)) return fail(*error);
+    auto made = boundary::makeLoop(std::move(sides));
+    if (!made) return made;
+    if (const auto error = findCrossing(*made)) return fail(*error);
+    return made;
   });
 }
 

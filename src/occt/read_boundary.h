@@ -10,8 +10,10 @@ namespace fairing::occt {
 /// The loop the picks mean (see traceLoop), each side with its curve, the face beside it and that
 /// face's normals. An edge without a face is a G0 side unless its own wish says otherwise. Normals
 /// are the faces'; where a face is oriented against most of its neighbours, its normal is turned,
-/// so that the hole lies to the left of every side. The ribbons hold on to the shape's geometry and
-/// must not be evaluated by two threads at once.
+/// so that the hole lies to the left of every side. An edge with a direction of its own takes that
+/// in place of a face and is met G1 at most. Fails with the codes of traceLoop() and makeLoop(),
+/// with EdgeNotInLoop, DirectionAlongEdge, EdgeOffPlane or LoopCrossesItself. The ribbons hold on
+/// to the shape's geometry and must not be evaluated by two threads at once.
 [[nodiscard]] Result<boundary::BoundaryLoop> readBoundary(const ShapeIndex& index,
                                                           const Picks& picks);
 

@@ -10,7 +10,7 @@
 namespace fairing::occt {
 
 /// The nearest point of the faces and the unit normal there, with weights 1. Fails with ShapeEmpty
-/// where there is no face. Not to be called by two threads at once.
+/// where there is no face. May be called by several threads at once.
 [[nodiscard]] Result<std::function<energy::GuidanceSample(const Eigen::Vector3d&)>> referenceOn(
     const TopoDS_Shape& faces);
 

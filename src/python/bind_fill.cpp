@@ -60,7 +60,11 @@ void bindFill(py::module_& module) {
       .def_property_readonly(
           "table",
           [](const ShapeFill& fill) { return text::table(fill.fill.report); },
-          "The report as a table, one line an edge.")
+          "The report as a table: one line an edge, a seam, an inner constraint, a note.")
+      .def_property_readonly(
+          "composition",
+          [](const ShapeFill& fill) { return text::composition(fill.fill); },
+          "How the hole is spanned, in one sentence: layout, patches, control points.")
       .def_property_readonly(
           "within_tolerance",
           [](const ShapeFill& fill) { return fill.fill.report.withinTolerance; },

@@ -2,6 +2,8 @@
 #pragma once
 #include <pybind11/pybind11.h>
 
+#include "occt/shape_index.h"
+
 /// Names and conversions only: what Python sees of Fairing. One function an area, called by
 /// module.cpp.
 namespace fairing::python {
@@ -9,6 +11,9 @@ namespace fairing::python {
 void bindErrors(pybind11::module_& module);
 void bindProgress(pybind11::module_& module);
 void bindFill(pybind11::module_& module);
+void bindFillAll(pybind11::module_& module);
 void bindShape(pybind11::module_& module);
+/// The methods fill and fill_all of Shape.
+void bindFilling(pybind11::class_<occt::ShapeIndex>& shape);
 
 }  // namespace fairing::python

@@ -72,6 +72,12 @@ const char* name(ErrorCode code) {
       return "LayoutUnfit";
     case ErrorCode::EdgeNotInLoop:
       return "EdgeNotInLoop";
+    case ErrorCode::DirectionAlongEdge:
+      return "DirectionAlongEdge";
+    case ErrorCode::EdgeOffPlane:
+      return "EdgeOffPlane";
+    case ErrorCode::VertexOutOfRange:
+      return "VertexOutOfRange";
     case ErrorCode::LoopTooLarge:
       return "LoopTooLarge";
     case ErrorCode::SystemSingular:

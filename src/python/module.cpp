@@ -12,5 +12,6 @@ PYBIND11_MODULE(_fairing, module) {
   fairing::python::bindErrors(module);
   fairing::python::bindProgress(module);
   fairing::python::bindFill(module);
+  fairing::python::bindFillAll(module);
   fairing::python::bindShape(module);
 }

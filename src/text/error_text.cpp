@@ -60,7 +60,19 @@ std::string pickSentence(const Error& e) {
     case ErrorCode::NoHole:
       return "The shape has no hole to fill: its only free edges are its outer border.";
     case ErrorCode::EdgeNotInLoop:
-      return edge(e) + " is given a continuity but does not border the hole.";
+      return edge(e) + " is given a wish of its own but does not border the hole.";
+    case ErrorCode::DirectionAlongEdge:
+      return fmt::format(
+          "The direction given for edge {} runs along the edge{}: it spans no tangent plane with "
+          "it.",
+          e.edge,
+          at(e));
+    case ErrorCode::EdgeOffPlane:
+      return fmt::format(
+          "{} leaves the symmetry plane given for it by {}{}.", edge(e), length(e.value), at(e));
+    case ErrorCode::VertexOutOfRange:
+      return fmt::format(
+          "There is no vertex {}: the shape's vertices are numbered 1 to {}.", e.edge, count(e));
     case ErrorCode::EdgeNotFree:
       return fmt::format(
           "{} has {} faces beside it, so there is no hole: pick the face that is to be replaced.",
@@ -158,11 +170,10 @@ std::string fileSentence(const Error& e) {
       return fmt::format("The new face is not valid: {}.",
                          e.detail.empty() ? "unknown reason" : e.detail);
     case ErrorCode::SewingOpen:
-      return count(e) == 1
-                 ? fmt::format("The new faces could not be sewn to edge {}.", e.edge)
-                 : fmt::format("The new faces could not be sewn to {} edges, edge {} among them.",
-                               count(e),
-                               e.edge);
+      return fmt::format("The new faces could not be sewn to {} edge{}, these gaps stay open: {}.",
+                         count(e),
+                         count(e) == 1 ? "" : "s",
+                         e.detail.empty() ? fmt::format("edge {}", e.edge) : e.detail);
     default:
       return fmt::format("The geometry kernel failed: {}.", e.detail);
   }
@@ -185,6 +196,9 @@ std::string sentence(const Error& error) {
     case ErrorCode::EdgePickedTwice:
     case ErrorCode::NoHole:
     case ErrorCode::EdgeNotInLoop:
+    case ErrorCode::DirectionAlongEdge:
+    case ErrorCode::EdgeOffPlane:
+    case ErrorCode::VertexOutOfRange:
     case ErrorCode::EdgeNotFree:
     case ErrorCode::EdgeWithManyFaces:
     case ErrorCode::EdgeDegenerate:

@@ -33,6 +33,11 @@ std::string angle(double degrees) {
   return digits(degrees, 2) + "\u00b0";
 }
 
+std::string percent(double share) {
+  if (std::isnan(share)) return "NaN";
+  return fmt::format("{:.{}f} %", 100.0 * share, share < 0.001 ? 3 : share < 0.1 ? 1 : 0);
+}
+
 std::string point(const Eigen::Vector3d& where) {
   const auto coordinate = [&](double x) {
     return digits(std::abs(x) < 1e-9 * where.norm() ? 0.0 : x, 5);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "text/report_json.h"
 
+#include "text/note_text.h"
 #include "text/report_text.h"
 #include "text/words.h"
 
@@ -22,6 +23,7 @@ json toJson(const analysis::SideReport& side) {
   for (const auto& place : side.angleCurve) curve.push_back(json::array({place.t, place.angle}));
   return {{"edge", side.edge},
           {"face", side.face},
+          {"has_normal", side.angle.count > 0},
           {"asked", word(side.asked)},
           {"gap", toJson(side.gap)},
           {"angle", toJson(side.angle)},
@@ -44,6 +46,25 @@ json toJson(const analysis::CornerReport& corner) {
           {"twist_mismatch", corner.twistMismatch},
           {"normals_agree", corner.normalsAgree},
           {"twists_agree", corner.twistsAgree}};
+}
+
+json toJson(const analysis::SeamReport& seam) {
+  return {{"patch", seam.patch},
+          {"other", seam.other},
+          {"gap", toJson(seam.gap)},
+          {"angle", toJson(seam.angle)},
+          {"curvature", toJson(seam.curvature)}};
+}
+
+json toJson(const analysis::InnerReport& inner) {
+  return {{"number", inner.number}, {"gap", toJson(inner.gap)}};
+}
+
+json toJson(const analysis::Note& note) {
+  return {{"text", sentence(note)},
+          {"edge", note.edge},
+          {"where", toJson(note.where)},
+          {"value", note.value}};
 }
 
 json toJson(const analysis::FairnessReport& fairness) {
@@ -81,13 +102,21 @@ json toJson(const analysis::FillReport& report) {
           {"largest_gap", report.largestGap},
           {"largest_angle", report.largestAngle},
           {"largest_corner_angle", report.largestCornerAngle},
+          {"largest_curvature", report.largestCurvature},
+          {"largest_seam_gap", report.largestSeamGap},
+          {"largest_seam_angle", report.largestSeamAngle},
+          {"largest_inner_gap", report.largestInnerGap},
           {"diagonal", report.diagonal},
           {"limits",
            {{"gap", report.gapLimit},
             {"angle", report.angleLimit},
-            {"corner_angle", report.cornerAngleLimit}}},
+            {"corner_angle", report.cornerAngleLimit},
+            {"curvature", report.curvatureLimit}}},
           {"sides", list(report.sides)},
           {"corners", list(report.corners)},
+          {"seams", list(report.seams)},
+          {"inner", list(report.inner)},
+          {"notes", list(report.notes)},
           {"fairness", toJson(report.fairness)}};
 }
 

@@ -5,110 +5,18 @@
 
 #include <algorithm>
 
+#include "text/error_text.h"
+#include "text/note_text.h"
 #include "text/quantities.h"
 #include "text/words.h"
+#include "text/worst_miss.h"
 
 namespace fairing::text {
 namespace {
 
-using analysis::CornerReport;
 using analysis::Deviation;
 using analysis::FillReport;
 using analysis::SideReport;
-
-bool asksTangency(const SideReport& side) {
-  return side.asked != Continuity::G0;
-}
-
-/// A miss, measured in units of its limit.
-struct Miss {
-  enum class Kind { Gap, Angle, Corner, Backwards } kind = Kind::Gap;
-  double ratio = 0.0;
-  const SideReport* side = nullptr;
-};
-
-Miss worstMiss(const FillReport& report) {
-  Miss worst;
-  const auto consider = [&](Miss::Kind kind, double ratio, const SideReport& side) {
-    if (!(ratio <= worst.ratio)) worst = {kind, ratio, &side};
-  };
-  for (const SideReport& side : report.sides) {
-    consider(Miss::Kind::Gap, side.gap.max / report.gapLimit, side);
-    if (!asksTangency(side)) continue;
-    consider(Miss::Kind::Angle, side.angle.max / report.angleLimit, side);
-    consider(Miss::Kind::Corner, side.cornerAngle.max / report.cornerAngleLimit, side);
-    if (side.backwards) consider(Miss::Kind::Backwards, 1e9, side);
-  }
-  return worst;
-}
-
-/// Why tangency fails near a corner, where the corner is to blame.
-std::string cornerReason(const FillReport& report,
-                         const SideReport& side,
-                         const Eigen::Vector3d& where) {
-  const CornerReport* nearest = nullptr;
-  for (const CornerReport& corner : report.corners) {
-    if (corner.edgeBefore != side.edge && corner.edgeAfter != side.edge) continue;
-    if (!nearest || (corner.point - where).norm() < (nearest->point - where).norm())
-      nearest = &corner;
-  }
-  if (!nearest) return {};
-  const auto faces =
-      fmt::format("the faces beside edges {} and {}", nearest->edgeBefore, nearest->edgeAfter);
-  if (!nearest->normalsAgree)
-    return fmt::format(": {} differ by {} there", faces, angle(nearest->normalMismatch));
-  if (!nearest->twistsAgree)
-    return fmt::format(": {} bend differently there, so no smooth patch can meet both", faces);
-  return {};
-}
-
-/// Why a side cannot be met better, where the edge itself is to blame.
-std::string edgeReason(const SideReport& side) {
-  if (side.followedBy > 0.0)
-    return fmt::format(
-        ": the edge waves about its own face, up to {} off; the patch follows the face there",
-        length(side.supportDeviation));
-  if (side.floorAngle > 0.5 * std::max(side.angle.max, side.cornerAngle.max))
-    return fmt::format(": the edge itself leaves its face's tangent plane by {}",
-                       angle(side.floorAngle));
-  return {};
-}
-
-/// Why tangency fails at a place: the edge's own fault before the corner's.
-std::string reason(const FillReport& report, const SideReport& side, const Eigen::Vector3d& where) {
-  const std::string own = edgeReason(side);
-  return own.empty() ? cornerReason(report, side, where) : own;
-}
-
-std::string missSentence(const FillReport& report, const Miss& miss) {
-  const SideReport& side = *miss.side;
-  switch (miss.kind) {
-    case Miss::Kind::Gap:
-      return fmt::format("Edge {} is missed by {} at {} (allowed: {}){}",
-                         side.edge,
-                         length(side.gap.max),
-                         point(side.gap.where),
-                         length(report.gapLimit),
-                         edgeReason(side));
-    case Miss::Kind::Backwards:
-      return fmt::format("The patch leaves edge {} backwards, in a cusp, near {}",
-                         side.edge,
-                         point(side.angle.where));
-    case Miss::Kind::Angle:
-      return fmt::format("Edge {} misses tangency by {} at {}{}",
-                         side.edge,
-                         angle(side.angle.max),
-                         point(side.angle.where),
-                         reason(report, side, side.angle.where));
-    case Miss::Kind::Corner:
-      break;
-  }
-  return fmt::format("Edge {} misses tangency by {} near its end at {}{}",
-                     side.edge,
-                     angle(side.cornerAngle.max),
-                     point(side.cornerAngle.where),
-                     reason(report, side, side.cornerAngle.where));
-}
 
 std::string positionOnly(const FillReport& report) {
   std::string list;
@@ -118,32 +26,31 @@ std::string positionOnly(const FillReport& report) {
   return list;
 }
 
-}  // namespace
-
-std::string verdict(const FillReport& report) {
-  const std::size_t all = report.sides.size();
-  if (report.withinTolerance) {
-    const std::string inPosition = positionOnly(report);
-    const auto tangent = fmt::format(
-        "tangent within {}, ", angle(std::max(report.largestAngle, report.largestCornerAngle)));
-    const bool anyTangent = std::any_of(report.sides.begin(), report.sides.end(), asksTangency);
-    return fmt::format("Meets all {} edges{}: {}gap {}.",
-                       all,
-                       inPosition.empty() ? "" : fmt::format(" (in position only: {})", inPosition),
-                       anyTangent ? tangent : "",
-                       length(report.largestGap));
+std::string praise(const FillReport& report) {
+  const auto any = [&](const auto& asks) {
+    return std::any_of(report.sides.begin(), report.sides.end(), asks);
+  };
+  const std::string inPosition = positionOnly(report);
+  std::string text = report.sides.size() == 1
+                         ? "Meets its edge"
+                         : fmt::format("Meets all {} edges", report.sides.size());
+  if (!inPosition.empty()) text += fmt::format(" (in position only: {})", inPosition);
+  text += ": ";
+  if (any(asksTangency)) {
+    const double worst = std::max(report.largestAngle, report.largestCornerAngle);
+    text += fmt::format("tangent within {}, ", angle(worst));
   }
-  const Miss miss = worstMiss(report);
-  if (miss.side == nullptr) return "Nothing was measured.";
-  const auto out = std::count_if(report.sides.begin(),
-                                 report.sides.end(),
-                                 [](const SideReport& side) { return !side.withinTolerance; });
-  const std::string others =
-      out > 1 ? fmt::format(" {} of {} edges are out of tolerance.", out, all) : std::string();
-  return missSentence(report, miss) + "." + others;
+  if (any(asksCurvature))
+    text += fmt::format("curvature within {}, ", percent(report.largestCurvature));
+  text += fmt::format("gap {}", length(report.largestGap));
+  if (!report.seams.empty())
+    text += fmt::format("; seams within {}", angle(report.largestSeamAngle));
+  if (!report.inner.empty())
+    text += fmt::format("; inner constraints within {}", length(report.largestInnerGap));
+  return text + ".";
 }
 
-std::string table(const FillReport& report) {
+std::string sideTable(const FillReport& report) {
   std::string text = fmt::format("{:>6} {:>6} {:>6} {:>10} {:>10} {:>10} {:>10}  {}\n",
                                  "edge",
                                  "face",
@@ -154,21 +61,113 @@ std::string table(const FillReport& report) {
                                  "curvature",
                                  "");
   for (const SideReport& side : report.sides) {
-    const bool measured = side.face > 0;
+    const bool measured = side.angle.count > 0;
     const auto degrees = [&](const Deviation& d) {
       return measured ? angle(d.max) : std::string("-");
     };
     text += fmt::format("{:>6} {:>6} {:>6} {:>10} {:>10} {:>10} {:>10}  {}\n",
                         side.edge,
-                        measured ? std::to_string(side.face) : "-",
+                        side.face > 0 ? std::to_string(side.face) : "-",
                         word(side.asked),
                         length(side.gap.max),
                         degrees(side.angle),
                         degrees(side.cornerAngle),
-                        measured ? fmt::format("{:.1f} %", 100.0 * side.curvature.max) : "-",
+                        measured ? percent(side.curvature.max) : "-",
                         side.backwards         ? "backwards"
                         : side.withinTolerance ? "ok"
                                                : "out of tolerance");
+  }
+  return text;
+}
+
+std::string seamTable(const FillReport& report) {
+  if (report.seams.empty()) return {};
+  std::string text =
+      fmt::format("{:>13} {:>17} {:>10} {:>21}\n", "patches", "gap", "angle", "curvature");
+  for (const analysis::SeamReport& seam : report.seams) {
+    text += fmt::format("{:>13} {:>17} {:>10} {:>21}\n",
+                        fmt::format("{} - {}", seam.patch + 1, seam.other + 1),
+                        length(seam.gap.max),
+                        angle(seam.angle.max),
+                        percent(seam.curvature.max));
+  }
+  return text;
+}
+
+std::string innerTable(const FillReport& report) {
+  if (report.inner.empty()) return {};
+  std::string text = fmt::format("{:>13} {:>17}\n", "inner", "gap");
+  for (const analysis::InnerReport& inner : report.inner) {
+    text += fmt::format("{:>13} {:>17}\n", inner.number, length(inner.gap.max));
+  }
+  return text;
+}
+
+std::string notes(const FillReport& report) {
+  std::string text;
+  for (const analysis::Note& note : report.notes) text += "Note: " + sentence(note) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string verdict(const FillReport& report) {
+  if (report.withinTolerance) return praise(report);
+  const auto miss = worstMiss(report);
+  if (!miss) return "Nothing was measured.";
+  const auto out = std::count_if(report.sides.begin(),
+                                 report.sides.end(),
+                                 [](const SideReport& side) { return !side.withinTolerance; });
+  const std::string others =
+      out > 1 ? fmt::format(" {} of {} edges are out of tolerance.", out, report.sides.size())
+              : std::string();
+  return *miss + "." + others;
+}
+
+std::string table(const FillReport& report) {
+  return sideTable(report) + seamTable(report) + innerTable(report) + notes(report);
+}
+
+std::string composition(const FillResult& fill) {
+  const std::size_t count = fill.patches.size();
+  return fmt::format("Layout {}: {} patch{}, {} control points.",
+                     word(fill.layout),
+                     count,
+                     count == 1 ? "" : "es",
+                     fill.summary.poles);
+}
+
+std::string table(const std::vector<HoleLine>& holes) {
+  std::string text = fmt::format("{:>5} {:>7} {:>6} {:>8} {:>10} {:>10}  {}\n",
+                                 "hole",
+                                 "edge",
+                                 "sides",
+                                 "layout",
+                                 "gap",
+                                 "angle",
+                                 "verdict");
+  int number = 0;
+  for (const HoleLine& hole : holes) {
+    const std::string start = fmt::format("{:>5} {:>7} {:>6}",
+                                          ++number,
+                                          hole.edges.empty() ? 0 : hole.edges.front(),
+                                          hole.edges.size());
+    if (hole.fill == nullptr) {
+      text += fmt::format("{} {:>8} {:>10} {:>10}  {}\n",
+                          start,
+                          "-",
+                          "-",
+                          "-",
+                          hole.error != nullptr ? sentence(*hole.error) : "");
+      continue;
+    }
+    const FillReport& report = hole.fill->report;
+    text += fmt::format("{} {:>8} {:>10} {:>10}  {}\n",
+                        start,
+                        word(hole.fill->layout),
+                        length(report.largestGap),
+                        angle(std::max(report.largestAngle, report.largestCornerAngle)),
+                        verdict(report));
   }
   return text;
 }

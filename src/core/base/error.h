@@ -34,7 +34,10 @@ enum class ErrorCode {
   SupportNormalSingular,  ///< edge, where
   CurveNotFitted,         ///< edge, where, value = remaining deviation in mm
   LoopTooLarge,           ///< value = number of edges
-  EdgeNotInLoop,          ///< edge: a continuity is wished for an edge the hole does not have
+  EdgeNotInLoop,          ///< edge: something is wished for an edge the hole does not have
+  DirectionAlongEdge,     ///< edge, where: the direction given for its tangent plane runs along it
+  EdgeOffPlane,           ///< edge, where, value = mm off the symmetry plane given for it
+  VertexOutOfRange,       ///< edge = vertex number given, value = number of vertices in the shape
   NoHole,                 ///< the shape has no loop of free edges but outer borders
   LoopCrossesItself,      ///< edge, where
   TooManySides,           ///< value = number of sides

@@ -23,6 +23,7 @@ struct SupportSample {
   /// vectors a and b, 1/mm.
   Eigen::Matrix3d secondForm = Eigen::Matrix3d::Zero();
   bool singular = false;  ///< no normal here, nor a limit
+  bool isLimit = false;   ///< the face has no normal here: it is the limit from within the face
 };
 
 /// A parameter where a curve is less smooth than elsewhere.

@@ -47,6 +47,9 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
       case ErrorCode::EdgeDegenerate:
       case ErrorCode::CurveNotFitted:
       case ErrorCode::SupportNormalSingular:
+      case ErrorCode::LoopCrossesItself:
+      case ErrorCode::DirectionAlongEdge:
+      case ErrorCode::EdgeOffPlane:
         EXPECT_THAT(sentence(error), HasSubstr("dge 17"));
         EXPECT_THAT(sentence(error), HasSubstr("(1.5, -2, 0)"));
         break;
@@ -55,7 +58,6 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
       case ErrorCode::EdgeWithManyFaces:
       case ErrorCode::EdgeWithoutFace:
       case ErrorCode::SeveralLoops:
-      case ErrorCode::SewingOpen:
         EXPECT_THAT(sentence(error), HasSubstr("dge 17"));
         break;
       default:
@@ -67,6 +69,16 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
 TEST(ErrorText, GivesGapsTheirUnit) {
   EXPECT_EQ(sentence({.code = ErrorCode::LoopNotClosed, .edge = 4, .value = 0.25}),
             "The loop does not close: a gap of 0.25 mm at the end of edge 4.");
+}
+
+TEST(ErrorText, ListsTheEdgesThatStayFreeWithTheirGaps) {
+  EXPECT_EQ(
+      sentence({.code = ErrorCode::SewingOpen,
+                .edge = 4,
+                .value = 2,
+                .detail = "edge 4: 0.25 mm, edge 9: 0.1 mm"}),
+      "The new faces could not be sewn to 2 edges, these gaps stay open: edge 4: 0.25 mm, edge 9: "
+      "0.1 mm.");
 }
 
 TEST(ErrorText, DoesNotPrintNanAsANumber) {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
+#include "text/note_text.h"
 #include "text/quantities.h"
 #include "text/report_json.h"
 #include "text/words.h"
@@ -95,10 +97,105 @@ TEST(Verdict, TellsACuspBeforeAnythingElse) {
   EXPECT_THAT(verdict(report), HasSubstr("edge 15 backwards"));
 }
 
+TEST(Verdict, SaysHowWellCurvatureSeamsAndInnerConstraintsAreMet) {
+  FillReport report = good();
+  for (SideReport& side : report.sides) side.asked = Continuity::G2;
+  report.largestCurvature = 0.004;
+  report.seams.push_back({0, 1, deviation(1e-9), deviation(0.001), deviation(0.02)});
+  report.largestSeamAngle = 0.001;
+  report.inner.push_back({1, deviation(2e-6)});
+  report.largestInnerGap = 2e-6;
+  EXPECT_EQ(verdict(report),
+            "Meets all 4 edges: tangent within 0.004\u00b0, curvature within 0.4 %, gap 1.2 nm; "
+            "seams within 0.001\u00b0; inner constraints within 2 nm.");
+}
+
+TEST(Verdict, NamesACurvatureMissOfASideThatAskedForIt) {
+  FillReport report = good();
+  report.withinTolerance = false;
+  report.curvatureLimit = 0.01;
+  report.sides[2].curvature = deviation(0.3);
+  EXPECT_THAT(verdict(report), ::testing::Not(HasSubstr("curvature")));  // G1 was asked
+  report.sides[2].asked = Continuity::G2;
+  EXPECT_THAT(verdict(report), StartsWith("Edge 12 misses the curvature beside it by 30 %"));
+  EXPECT_THAT(verdict(report), HasSubstr("allowed: 1.0 %"));
+}
+
+TEST(Verdict, NamesPatchesWhoseSeamIsMissed) {
+  FillReport report = good();
+  report.withinTolerance = false;
+  report.seams.push_back({1, 2, deviation(1e-9), deviation(0.7), deviation(0.0)});
+  EXPECT_THAT(verdict(report), StartsWith("Patches 2 and 3 miss tangency by 0.7\u00b0"));
+  report.seams[0].gap = deviation(0.1);
+  EXPECT_THAT(verdict(report), StartsWith("Patches 2 and 3 are apart by 0.1 mm"));
+}
+
+TEST(Verdict, NamesAnInnerConstraintThatIsMissed) {
+  FillReport report = good();
+  report.withinTolerance = false;
+  report.inner.push_back({3, deviation(0.5)});
+  EXPECT_THAT(verdict(report), StartsWith("Inner constraint 3 is missed by 0.5 mm"));
+}
+
+TEST(Verdict, SpeaksOfOneEdgeAsOne) {
+  FillReport report = good();
+  report.sides.resize(1);
+  EXPECT_THAT(verdict(report), StartsWith("Meets its edge: tangent"));
+}
+
 TEST(Table, HasALineForEveryEdge) {
   const std::string text = table(good());
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
   for (const char* edge : {" 7 ", " 9 ", " 12 ", " 15 "}) EXPECT_THAT(text, HasSubstr(edge));
+}
+
+TEST(Table, ListsSeamsInnerConstraintsAndNotes) {
+  FillReport report = good();
+  report.seams.push_back({0, 1, deviation(1e-9), deviation(0.001), deviation(0.02)});
+  report.inner.push_back({1, deviation(2e-6)});
+  report.notes.push_back({analysis::NoteCode::EdgeAbsorbed, 9, {0, 0, 0}, 0.02});
+  const std::string text = table(report);
+  EXPECT_THAT(text, HasSubstr("1 - 2"));
+  EXPECT_THAT(text, HasSubstr("2 nm"));
+  EXPECT_THAT(text, HasSubstr("Note: Edge 9 is too short (20 \u00b5m)"));
+}
+
+TEST(Table, HasALineForEveryHole) {
+  FillResult fill;
+  fill.report = good();
+  fill.layout = LayoutKind::Star;
+  const Error error{.code = ErrorCode::LoopSelfTouching, .edge = 31};
+  const std::string text = table({{{7, 9, 12, 15}, &fill, nullptr}, {{31, 32}, nullptr, &error}});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+  EXPECT_THAT(text, HasSubstr("star"));
+  EXPECT_THAT(text, HasSubstr("Meets all 4 edges"));
+  EXPECT_THAT(text, HasSubstr("The loop touches itself at edge 31."));
+}
+
+TEST(Notes, AreOneSentenceEachOfTheirOwn) {
+  std::set<std::string> all;
+  using analysis::NoteCode;
+  for (const NoteCode code : {NoteCode::EdgeAbsorbed,
+                              NoteCode::SupportSingular,
+                              NoteCode::CurvatureUnknown,
+                              NoteCode::LoopUnfit}) {
+    const std::string text = sentence(analysis::Note{code, 17, {1.5, -2.0, 0.0}, 3.0});
+    EXPECT_THAT(text, ::testing::EndsWith("."));
+    EXPECT_TRUE(all.insert(text).second) << text;
+  }
+}
+
+TEST(ReportJson, HoldsSeamsInnerConstraintsAndNotes) {
+  FillReport report = good();
+  report.curvatureLimit = 0.01;
+  report.seams.push_back({0, 1, deviation(1e-9), deviation(0.001), deviation(0.02)});
+  report.inner.push_back({1, deviation(2e-6)});
+  report.notes.push_back({analysis::NoteCode::SupportSingular, 9, {1, 2, 3}, 0.0});
+  const auto json = nlohmann::json::parse(toJson(report).dump());
+  EXPECT_DOUBLE_EQ(json.at("seams")[0].at("angle").at("max").get<double>(), 0.001);
+  EXPECT_DOUBLE_EQ(json.at("inner")[0].at("gap").at("max").get<double>(), 2e-6);
+  EXPECT_EQ(json.at("notes")[0].at("edge"), 9);
+  EXPECT_DOUBLE_EQ(json.at("limits").at("curvature").get<double>(), 0.01);
 }
 
 TEST(ReportJson, KeepsTheNumbersAndTurnsNonsenseToNull) {
@@ -127,11 +224,17 @@ TEST(Quantities, ChooseUnitsPeopleRead) {
 }
 
 TEST(Words, AreUnderstoodAsTheyAreWritten) {
-  for (const Continuity c : {Continuity::G0, Continuity::G1}) EXPECT_EQ(continuityFrom(word(c)), c);
-  for (const EnergyKind e : {EnergyKind::Membrane, EnergyKind::ThinPlate}) {
+  for (const Continuity c : {Continuity::G0, Continuity::G1, Continuity::G2})
+    EXPECT_EQ(continuityFrom(word(c)), c);
+  for (const EnergyKind e :
+       {EnergyKind::Membrane, EnergyKind::ThinPlate, EnergyKind::MeanCurvatureGradient})
     EXPECT_EQ(energyFrom(word(e)), e);
-  }
-  for (const LayoutKind l : {LayoutKind::Auto, LayoutKind::Quad}) EXPECT_EQ(layoutFrom(word(l)), l);
+  for (const LayoutKind l : {LayoutKind::Auto,
+                             LayoutKind::Quad,
+                             LayoutKind::Star,
+                             LayoutKind::OGrid,
+                             LayoutKind::Trimmed})
+    EXPECT_EQ(layoutFrom(word(l)), l);
   EXPECT_FALSE(continuityFrom("g1").has_value());
   EXPECT_FALSE(energyFrom("").has_value());
 }

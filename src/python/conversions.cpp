@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "python/conversions.h"
+
+#include <pybind11/stl.h>
+
+#include "occt/inner_constraints.h"
+#include "occt/reference.h"
+#include "occt/shape_bytes.h"
+#include "text/words.h"
+
+namespace py = pybind11;
+
+namespace fairing::python {
+namespace {
+
+Eigen::Vector3d vectorOf(const Triple& a) {
+  return {a[0], a[1], a[2]};
+}
+
+energy::NormalHandle handleOf(const py::dict& guide) {
+  return {.point = vectorOf(guide["point"].cast<Triple>()),
+          .normal = vectorOf(guide["normal"].cast<Triple>()),
+          .weight = guide.contains("weight") ? guide["weight"].cast<double>() : 1.0,
+          .radius = guide["radius"].cast<double>()};
+}
+
+TopoDS_Shape shapeOf(const py::bytes& data) {
+  const std::string bytes = data;
+  const py::gil_scoped_release release;
+  return valueOf(occt::shapeFromBytes(bytes));
+}
+
+}  // namespace
+
+Continuity continuityOf(const std::string& word) {
+  return choice(text::continuityFrom, "continuity", word);
+}
+
+std::map<int, Continuity> continuitiesOf(const Wishes& wishes) {
+  std::map<int, Continuity> result;
+  for (const auto& [edge, word] : wishes) result[edge] = continuityOf(word);
+  return result;
+}
+
+std::map<int, occt::EdgeDirection> directionsOf(const Directions& tangents,
+                                                const Directions& symmetry) {
+  using Kind = occt::EdgeDirection::Kind;
+  std::map<int, occt::EdgeDirection> result;
+  for (const auto& [edge, d] : tangents) result[edge] = {vectorOf(d), Kind::Tangent};
+  for (const auto& [edge, d] : symmetry) result[edge] = {vectorOf(d), Kind::Symmetry};
+  return result;
+}
+
+Tolerance toleranceOf(std::optional<double> gap, double angle) {
+  if (gap && !(*gap > 0.0)) throw Failure({.code = ErrorCode::ToleranceNotPositive, .value = *gap});
+  Tolerance tolerance;
+  tolerance.gap = gap.value_or(0.0);
+  tolerance.angle = angle;
+  return tolerance;
+}
+
+energy::Guidance guidanceOf(double lambda,
+                            double gamma,
+                            const std::optional<py::bytes>& reference,
+                            const std::vector<py::dict>& guide) {
+  energy::Guidance guidance;
+  guidance.lambda = lambda;
+  guidance.gamma = gamma;
+  for (const py::dict& item : guide) guidance.handles.push_back(handleOf(item));
+  if (reference) guidance.reference = valueOf(occt::referenceOn(shapeOf(*reference)));
+  return guidance;
+}
+
+std::vector<InnerConstraint> throughOf(const std::vector<Through>& through) {
+  std::vector<InnerConstraint> result;
+  for (const Through& item : through) {
+    if (const auto* point = std::get_if<Triple>(&item)) {
+      result.push_back(occt::throughPoint(vectorOf(*point)));
+      continue;
+    }
+    const auto parts = valueOf(occt::throughShape(shapeOf(std::get<py::bytes>(item))));
+    result.insert(result.end(), parts.begin(), parts.end());
+  }
+  return result;
+}
+
+py::object objectOf(const std::string& json) {
+  return py::module_::import("json").attr("loads")(json);
+}
+
+}  // namespace fairing::python
