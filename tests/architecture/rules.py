@@ -22,6 +22,7 @@ STAGES = {
     "core/assembly": ["core/base", "core/spline", "core/boundary", "core/layout", "core/constraint",
                       "core/energy", "core/shape_energy", PROGRAM],
     "core/analysis": ["core/base", "core/spline", "core/boundary"],
+    "core/height_field": ["core/base", "core/spline", "core/boundary", "core/constraint", "core/energy"],
     "core/fill": ["core/*"],
     "core/blend": ["core/*"],
     "core/edit": ["core/*"],

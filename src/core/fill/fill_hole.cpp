@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
 #include "core/constraint/constraint_set.h"
+#include "core/fill/fill_trimmed.h"
 #include "core/fill/refine.h"
 #include "core/layout/layouts.h"
 #include "core/solver/solve.h"
@@ -130,6 +131,7 @@ Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
                             const FillOptions& options,
                             Progress* progress) {
   if (const auto wrong = validate(options)) return fail(*wrong);
+  if (options.layout == LayoutKind::Trimmed) return fillTrimmed(loop, options, progress);
   Stopwatch watch;
   const Hole hole = prepare(loop, options.tolerance);
   const double fitTolerance = kFitShare * options.tolerance.gapFor(loop.diagonal);

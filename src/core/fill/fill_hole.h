@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/boundary/boundary_loop.h"
 #include "core/fill/fill_options.h"
+#include "core/height_field/trim.h"
 #include "core/solver/solve_summary.h"
 #include "core/spline/bspline_surface.h"
 
@@ -16,6 +17,7 @@ namespace fairing {
 struct FillResult {
   std::vector<spline::BsplineSurface> patches;
   std::vector<bool> reversed;  ///< patch i's normal u x v points against the support normals
+  std::vector<Trim> trims;     ///< the border of patch i; empty: no patch is trimmed
   LayoutKind layout = LayoutKind::Quad;
   analysis::FillReport report;
   solver::SolveSummary summary;
