@@ -2,18 +2,22 @@
 """Fairing: fills holes with fair B-spline faces that meet their neighbours smoothly.
 
     shape, report = fairing.fill(base.Shape, edges=["Edge3"])     shapes only, no document
+    shape, reports = fairing.fill_all(base.Shape)                 every hole of a shape
     obj = fairing.make_fill(base, ["Edge3"], continuity="G1")     a parametric document object
     fairing.change_fill(obj, energy="membrane")                   with other choices
+    obj = fairing.make_fill_all(base)                             one for every hole of another object
     fairing.holes(base.Shape)                                     the loops of free edges
 
 Lengths are in mm, angles in degrees. What cannot be done raises fairing.FairingError, whose text is one sentence.
 """
 
-from .api import fill, holes, report
+from .api import fill, fill_all, holes, report
+from .features.fill_all_feature import change_fill_all, make_fill_all
 from .features.fill_feature import change_fill, make_fill
 from .native import NativeModuleError
 
-__all__ = ["FairingError", "NativeModuleError", "change_fill", "fill", "holes", "make_fill", "report"]
+__all__ = ["FairingError", "NativeModuleError", "change_fill", "change_fill_all", "fill", "fill_all", "holes",
+           "make_fill", "make_fill_all", "report"]
 
 
 def __getattr__(name):

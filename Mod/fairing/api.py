@@ -8,33 +8,56 @@ from typing import Any, Iterable, Mapping, Optional
 import Part
 
 from . import exchange, native, subelements
+from .choices import triple
+from .fill_all_request import FillAllRequest
 from .fill_request import FillRequest
 
 
 def fill(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, faces: Iterable[subelements.Pick] = (),
          continuity: str = "G1", edge_continuity: Optional[Mapping[Any, str]] = None,
-         reference: Optional[Part.Shape] = None, **options) -> tuple[Part.Shape, dict]:
+         reference: Optional[Part.Shape] = None, through: Iterable[Any] = (), **options) -> tuple[Part.Shape, dict]:
     """Fills one hole of a shape. Returns the new faces and the report on them.
 
     edges            any edges of the hole's border, "Edge7" or 7: one is enough where the border is free
     faces            the face to be replaced, instead of edges
-    continuity       "G1" meets the neighbours tangentially, "G0" only touches them
+    continuity       "G2" meets the neighbours in curvature, "G1" tangentially, "G0" only touches them
     edge_continuity  edges that differ, {"Edge7": "G0"}
+    tangents         edges met along a direction in place of a face, {"Edge7": (0, 0, 1)}
+    symmetry         edges in a symmetry plane, with its normal, {"Edge9": (1, 0, 0)}
+    through          points (x, y, z) and shapes whose edges and vertices the faces pass through
     reference        faces whose normals (weight lambda_) and points (weight gamma) guide the surface
-    options          energy, lambda_, gamma, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles,
-                     result ("patches", "shell" or "base"): see FillRequest
+    options          layout, energy, lambda_, gamma, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles,
+                     result ("patches", "shell" or "base"): see choices.Choices
     Raises FairingError with one sentence where that cannot be done.
     """
     picks = _edge_names(edges) + _face_names(faces)
     request = FillRequest.of(picks, edge_continuity, continuity=continuity,
-                             reference=exchange.data_of(reference) if reference else None, **options)
+                             reference=exchange.data_of(reference) if reference else None,
+                             through=tuple(_through(item) for item in through), **options)
     done = request.solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
 
 
-def holes(shape: Part.Shape) -> list[list[str]]:
+def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
+             reference: Optional[Part.Shape] = None, **options) -> tuple[Part.Shape, list[dict]]:
+    """Fills every hole of a shape, side by side. Returns the new faces and a report a hole.
+
+    skipped  edges whose holes are left out
+    options  outer_borders (the rims of open sheets, too) and those of fill(), but for `through`
+    A hole that cannot be filled leaves the others alone: its report is {"edges": ["Edge7", ...], "error": sentence}.
+    Raises FairingError where none can be filled.
+    """
+    request = FillAllRequest.of(skipped, reference=exchange.data_of(reference) if reference else None, **options)
+    done = request.solve(exchange.data_of(shape))
+    reports = [dict(hole.fill.report if hole.fill else {"error": hole.error},
+                    edges=[f"Edge{number}" for number in hole.edges]) for hole in done.holes]
+    return exchange.part_shape(done.brep()), reports
+
+
+def holes(shape: Part.Shape, *, outer_borders: bool = False) -> list[list[str]]:
     """The loops of free edges of a shape, each as the names of its edges in order."""
-    return [[f"Edge{number}" for number in loop] for loop in exchange.native_shape(shape).holes()]
+    loops = exchange.native_shape(shape).holes(outer_borders)
+    return [[f"Edge{number}" for number in loop] for loop in loops]
 
 
 def report(shape: Part.Shape, patches: Part.Shape, edges: Iterable[subelements.Pick] = (), *,
@@ -47,6 +70,10 @@ def report(shape: Part.Shape, patches: Part.Shape, edges: Iterable[subelements.P
         native.module().Shape(exchange.data_of(patches)), edges=list(request.edges), faces=list(request.faces),
         continuity=continuity, edge_continuity=dict(request.edge_continuity), tolerance=gap_tolerance,
         angle=angle_tolerance)
+
+
+def _through(item):
+    return exchange.data_of(item) if isinstance(item, Part.Shape) else triple(item)
 
 
 def _edge_names(picks) -> list:

@@ -36,6 +36,16 @@ def current_picks() -> Optional[Picks]:
     return Picks(selected[0].Object, names) if all_edges or one_face else None
 
 
+def current_base() -> Optional[App.DocumentObject]:
+    """The one object that is selected, as a whole or in part; with nothing selected, the only visible one with a
+    shape. None otherwise."""
+    selected = Gui.Selection.getSelectionEx()
+    if selected:
+        return selected[0].Object if len(selected) == 1 and has_shape(selected[0].Object) else None
+    shown = [obj for obj in App.ActiveDocument.Objects if has_shape(obj) and obj.ViewObject.Visibility]
+    return shown[0] if len(shown) == 1 else None
+
+
 def has_shape(obj: App.DocumentObject) -> bool:
     return obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")
 
@@ -45,10 +55,11 @@ def has_shapes(document: App.Document) -> bool:
 
 
 class EdgeGate:
-    """Selection gate: edges and faces of shapes; the status bar says what is missing otherwise."""
+    """Selection gate: edges and faces of shapes, or, while takes_points() says so, vertices, edges and whole objects;
+    the status bar says what is missing otherwise."""
 
-    def __init__(self, excluded: Optional[App.DocumentObject] = None):
-        self._excluded = excluded
+    def __init__(self, excluded: Optional[App.DocumentObject] = None, takes_points=lambda: False):
+        self._excluded, self._takes_points = excluded, takes_points
 
     def allow(self, document: App.Document, obj: App.DocumentObject, sub: str) -> bool:
         reason = self._reason(obj, subelements.local_name(sub or ""))
@@ -59,7 +70,10 @@ class EdgeGate:
     def _reason(self, obj: App.DocumentObject, name: str) -> str:
         if self._excluded is not None and obj is self._excluded:
             return translate("Fairing", "This is the surface being made: pick an edge of the hole beside it.")
-        if not subelements.is_edge(name) and not subelements.is_face(name):
+        if self._takes_points():
+            if name and not subelements.is_edge(name) and not subelements.is_vertex(name):
+                return translate("Fairing", "Pick a point, an edge, a sketch or a datum point.")
+        elif not subelements.is_edge(name) and not subelements.is_face(name):
             return translate("Fairing", "Pick an edge of the hole, or the face to be replaced.")
         return ""
 

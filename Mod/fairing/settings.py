@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from .fill_request import CONTINUITIES, ENERGIES, RESULTS, FillRequest
+from .choices import CONTINUITIES, ENERGIES, LAYOUTS, RESULTS, Choices
 
 PATH = "User parameter:BaseApp/Preferences/Mod/Fairing"
 _PATCH_COLOR = 0xF5C451FF  # amber, red-green-blue-alpha
@@ -15,15 +15,17 @@ def _group():
     return App.ParamGet(PATH)
 
 
-def new_request() -> FillRequest:
-    """What a new fill asks for before anything is picked."""
-    group, plain = _group(), FillRequest()
-    return FillRequest(
-        continuity=_choice(CONTINUITIES, group.GetInt("Continuity", 1)),
-        energy=_choice(ENERGIES, group.GetInt("Energy", 0)),
-        angle_tolerance=group.GetFloat("AngleTolerance", plain.angle_tolerance),
-        max_poles=group.GetInt("MaxPoles", plain.max_poles),
-        result=_choice(RESULTS, group.GetInt("Result", 0)))
+def new_choices() -> dict:
+    """What a new fill asks for before anything is picked, by the names of Choices."""
+    group, plain = _group(), Choices()
+    return {
+        "continuity": _choice(CONTINUITIES, group.GetInt("Continuity", CONTINUITIES.index(plain.continuity))),
+        "layout": _choice(LAYOUTS, group.GetInt("Layout", LAYOUTS.index(plain.layout))),
+        "energy": _choice(ENERGIES, group.GetInt("Energy", ENERGIES.index(plain.energy))),
+        "angle_tolerance": group.GetFloat("AngleTolerance", plain.angle_tolerance),
+        "max_poles": group.GetInt("MaxPoles", plain.max_poles),
+        "result": _choice(RESULTS, group.GetInt("Result", RESULTS.index(plain.result))),
+    }
 
 
 def shows_preview() -> bool:

@@ -26,6 +26,10 @@ def is_face(name: str) -> bool:
     return _is(name, "Face")
 
 
+def is_vertex(name: str) -> bool:
+    return _is(name, "Vertex")
+
+
 def local_name(path: str) -> str:
     """The name itself out of a path through containers: "Body.Pad.Edge7" -> "Edge7"."""
     return path.rsplit(".", 1)[-1]

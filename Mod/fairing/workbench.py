@@ -19,11 +19,12 @@ def icon(name: str) -> str:
 
 def register_commands() -> list[str]:
     """Names of the commands in the order of the toolbar."""
+    from .commands.fill_all_holes import FillAllHolesCommand
     from .commands.fill_hole import FillHoleCommand
     from .commands.reconnect import ReconnectCommand
     import FreeCADGui as Gui
 
-    commands = [FillHoleCommand(), ReconnectCommand()]
+    commands = [FillHoleCommand(), FillAllHolesCommand(), ReconnectCommand()]
     # The macro recorder writes `import <file that added the command>` into every macro: let that be the package.
     add = compile("add(command.NAME, command)", "fairing.py", "exec")
     for command in commands:

@@ -37,8 +37,9 @@ QtCore.QTimer.singleShot(1500, choose)
 Gui.showPreferences("Fairing", 0)
 assert seen == {"continuity": 1, "angle": 0.02}, seen
 
-request = settings.new_request()
-assert (request.energy, request.angle_tolerance, request.result) == ("membrane", 0.05, "shell")
+chosen = settings.new_choices()
+assert (chosen["energy"], chosen["angle_tolerance"], chosen["result"]) == ("membrane", 0.05, "shell"), chosen
+assert (chosen["continuity"], chosen["layout"]) == ("G1", "auto"), chosen
 Gui.Selection.addSelection(document.Name, base.Name, edges[0])
 Gui.runCommand("Fairing_FillHole")
 gui.wait_for_verdict()

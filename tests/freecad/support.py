@@ -25,6 +25,39 @@ def example(name="Example"):
     return document, document.Base, make_example.hole_edges(document.Base.Shape)
 
 
+def sheet_with_four_holes():
+    """The example's sheet cut into 5 x 5 faces, four of them left out that touch neither each other nor the rim."""
+    faces = []
+    for i in range(5):
+        for j in range(5):
+            if i % 2 == 0 or j % 2 == 0:
+                piece = make_example.sheet()
+                piece.segment(i / 5, (i + 1) / 5, j / 5, (j + 1) / 5)
+                faces.append(piece.toShape())
+    shell = Part.makeShell(faces)
+    shell.sewShape()
+    return shell
+
+
+def four_holes(name="Holes"):
+    """A new document with that sheet."""
+    document = App.newDocument(name)
+    base = document.addObject("Part::Feature", "Base")
+    base.Shape = sheet_with_four_holes()
+    document.recompute()
+    return document, base
+
+
+def fairing_holes(base):
+    import fairing
+
+    return fairing.holes(base.Shape)
+
+
+def free_edges(shape):
+    return [edge for edge in shape.Edges if len(shape.ancestorsOfType(edge, Part.Face)) == 1]
+
+
 def hole_diagonal(base, edges):
     return Part.Compound([base.Shape.getElement(name) for name in edges]).BoundBox.DiagonalLength
 

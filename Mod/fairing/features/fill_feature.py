@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Iterable, Mapping, Optional
+from typing import Iterable, Optional
 
 import FreeCAD as App
 
 from .. import exchange, migrate, subelements
+from ..choices import with_pairs
 from ..fill_request import FillRequest
-from . import fill_properties as properties
+from . import fill_properties as properties, links
 from .placement import container_for_results, container_of, shape_in
 
 NOTHING_PICKED = "No edge is picked: pick an edge of the hole, or the face to be replaced."
@@ -53,25 +54,26 @@ class FillFeature:
     __getstate__, __setstate__ = dumps, loads
 
 
-def make_fill(base: App.DocumentObject, picks: Iterable[subelements.Pick], *, name: str = "Fill",
-              edge_continuity: Optional[Mapping[Any, str]] = None, reference=None, **options) -> App.DocumentObject:
+def make_fill(base: App.DocumentObject, picks: Iterable[subelements.Pick], *, name: str = "Fill", reference=None,
+              through=(), **options) -> App.DocumentObject:
     """Makes a fill of one hole of the base beside it in the document, computed.
 
-    picks            names of edges of the hole's border, ["Edge7"]: one is enough; or the face to be replaced
-    edge_continuity  edges that differ from `continuity`, {"Edge7": "G0"}
-    reference        an object, or (object, ["Face1", ...]), whose faces guide by the weights lambda_ and gamma
-    options          continuity, energy, lambda_, gamma, gap_tolerance (mm), angle_tolerance (degrees), degree,
-                     max_poles, result: see fairing.fill()
+    picks      names of edges of the hole's border, ["Edge7"]: one is enough; or the face to be replaced
+    reference  an object, or (object, ["Face1", ...]), whose faces guide by the weights lambda_ and gamma
+    through    objects, or (object, ["Vertex1", "Edge3", ...]), that the surface passes through
+    options    continuity, edge_continuity, tangents, symmetry, layout, energy, lambda_, gamma, gap_tolerance (mm),
+               angle_tolerance (degrees), degree, max_poles, result: see fairing.fill()
     Raises FairingError (or NativeModuleError) with one sentence, and then the document is as it was.
     """
     container = container_for_results(base)
-    request = FillRequest.of(picks, edge_continuity, reference=reference_data(reference, container), **options)
+    request = FillRequest.of(picks, reference=links.reference_data(reference, container),
+                             through=links.through_data(through, container), **options)
     solve(request, base, container)
     obj = base.Document.addObject("Part::FeaturePython", name)
     if container:
         container.addObject(obj)
     FillFeature(obj)
-    properties.write_request(obj, request, base, reference_link(reference))
+    properties.write_request(obj, request, base, links.link_of(reference), links.links_of(through))
     if App.GuiUp:
         from ..views.fill_view import FillView
 
@@ -87,16 +89,16 @@ def change_fill(obj: App.DocumentObject, picks: Optional[Iterable[subelements.Pi
     Raises FairingError with one sentence, and then the object is as it was.
     """
     container, base = container_of(obj), base or (obj.Edges[0] if obj.Edges else None)
-    link = reference_link(changes.pop("reference", obj.Reference))
-    exceptions = changes.pop("edge_continuity", None)
-    request = dataclasses.replace(properties.read_request(obj), reference=reference_data(link, container), **changes)
+    reference = links.link_of(changes.pop("reference", obj.Reference))
+    through = links.links_of(changes.pop("through", obj.Through))
+    request = dataclasses.replace(
+        properties.read_request(obj), reference=links.reference_data(reference, container),
+        through=links.through_data(through, container), **with_pairs(changes))
     if picks is not None:
         fresh = FillRequest.of(picks)
         request = dataclasses.replace(request, edges=fresh.edges, faces=fresh.faces)
-    if exceptions is not None:
-        request = dataclasses.replace(request, edge_continuity=FillRequest.of((), exceptions).edge_continuity)
     solve(request, base, container)
-    properties.write_request(obj, request, base, link)
+    properties.write_request(obj, request, base, reference, through)
     obj.Document.recompute([obj])
     return obj
 
@@ -106,17 +108,3 @@ def solve(request: FillRequest, base: App.DocumentObject, container):
     if base is None or not (request.edges or request.faces):
         raise ValueError(NOTHING_PICKED)
     return request.solve(exchange.data_of(shape_in(container, base)))
-
-
-def reference_link(reference):
-    """(object, [names]) out of what a caller may give for a reference, or None."""
-    if not reference:
-        return None
-    obj, names = reference if isinstance(reference, (tuple, list)) else (reference, ())
-    return obj, [name for name in names if name]
-
-
-def reference_data(reference, container) -> Optional[bytes]:
-    """The faces of a reference as the native module reads them, in a container's coordinates, or None."""
-    link = reference_link(reference)
-    return exchange.data_of(shape_in(container, *link)) if link else None

@@ -7,9 +7,10 @@ from __future__ import annotations
 import FreeCAD as App
 
 from .. import migrate
+from .fill_all_feature import FillAllFeature
 from .fill_feature import FillFeature
 
-FEATURES = {FillFeature.TYPE: FillFeature}
+FEATURES = {feature.TYPE: feature for feature in (FillFeature, FillAllFeature)}
 
 
 def dead_objects(document: App.Document) -> list[App.DocumentObject]:
@@ -40,9 +41,11 @@ def _lives(proxy) -> bool:
 
 def _reconnect_view(obj: App.DocumentObject) -> None:
     if App.GuiUp and not _lives(obj.ViewObject.Proxy):
+        from ..views.fill_all_view import FillAllView
         from ..views.fill_view import FillView
 
-        FillView.attach_to(obj.ViewObject)
+        view = {FillFeature.TYPE: FillView, FillAllFeature.TYPE: FillAllView}[migrate.kind_of(obj)]
+        view.attach_to(obj.ViewObject)
 
 
 class ReconnectObserver:

@@ -6,11 +6,11 @@ from __future__ import annotations
 from PySide import QtCore, QtGui
 
 from . import status
-from ..fill_request import CONTINUITIES, FillRequest
+from ..choices import CONTINUITIES, Choices
 from ..translation import translate
-from .quantities import angle_text, length_text
+from .quantities import angle_text, length_text, percent_text
 
-EDGE, FACE, CONTINUITY, GAP, ANGLE = range(5)
+EDGE, FACE, CONTINUITY, GAP, ANGLE, CURVATURE = range(6)
 NUMBER_WIDTH = 64  # pixels
 LARGEST_HEIGHT = 6  # rows shown without scrolling
 
@@ -30,12 +30,12 @@ class BoundaryTable(QtCore.QObject):
         header = widget.horizontalHeader()
         for column in range(widget.columnCount()):
             header.setSectionResizeMode(column, QtGui.QHeaderView.ResizeToContents)
-        header.setSectionResizeMode(ANGLE, QtGui.QHeaderView.Stretch)
+        header.setSectionResizeMode(CURVATURE, QtGui.QHeaderView.Stretch)
         widget.verticalHeader().setDefaultSectionSize(24)
         widget.itemSelectionChanged.connect(self._selected)
         widget.setIconSize(QtCore.QSize(14, 14))
 
-    def show_loop(self, loop: list[dict], request: FillRequest) -> None:
+    def show_loop(self, loop: list[dict], request: Choices) -> None:
         """One row a side, not measured yet. Rows that stay keep their numbers until new ones come."""
         edges = [side["edge"] for side in loop]
         if edges != list(self._rows):
@@ -43,9 +43,8 @@ class BoundaryTable(QtCore.QObject):
         for side in loop:
             combo = self._combos[side["edge"]]
             combo.blockSignals(True)
-            has_face = side["face"] > 0
-            combo.setCurrentText(request.continuity_of(side["edge"]) if has_face else "G0")
-            combo.setEnabled(has_face)
+            combo.setCurrentText(side["continuity"])
+            combo.setEnabled(side["has_normal"])
             combo.blockSignals(False)
         self._widget.setVisible(bool(loop))
         self.fit_height()
@@ -59,7 +58,8 @@ class BoundaryTable(QtCore.QObject):
             self._widget.item(row, EDGE).setIcon(QtGui.QIcon(sign.pixmap(14)))
             self._set(row, GAP, length_text(side["gap"]["max"]) if side else "")
             self._set(row, ANGLE, _angle_of(side) if side else "")
-            for column in (EDGE, FACE, GAP, ANGLE):
+            self._set(row, CURVATURE, percent_text(side["curvature"]["max"]) if side and side["has_normal"] else "")
+            for column in (EDGE, FACE, GAP, ANGLE, CURVATURE):
                 self._widget.item(row, column).setToolTip(_explanation(side, report) if side else "")
 
     def needed_width(self) -> int:
@@ -88,6 +88,7 @@ class BoundaryTable(QtCore.QObject):
             self._set(row, FACE, str(side["face"]) if side["face"] else "\u2013")
             self._set(row, GAP, "")
             self._set(row, ANGLE, "")
+            self._set(row, CURVATURE, "")
             self._widget.item(row, EDGE).setIcon(QtGui.QIcon(status.Status.UNKNOWN.pixmap(14)))
             self._widget.setCellWidget(row, CONTINUITY, self._make_combo(side["edge"]))
 
@@ -95,7 +96,7 @@ class BoundaryTable(QtCore.QObject):
         combo = QtGui.QComboBox()
         combo.setFrame(False)
         combo.addItems(CONTINUITIES)
-        combo.setToolTip(translate("Fairing", "G1: tangential to the face. G0: only touches the edge."))
+        combo.setToolTip(translate("Fairing", "G2: with the curvature of the face. G1: tangential to it. G0: only touches the edge."))
         combo.currentTextChanged.connect(lambda word: self.chosen.emit(edge, word))
         self._combos[edge] = combo
         return combo
@@ -104,7 +105,7 @@ class BoundaryTable(QtCore.QObject):
         item = self._widget.item(row, column)
         if item is None:
             item = QtGui.QTableWidgetItem()
-            if column in (FACE, GAP, ANGLE):
+            if column in (FACE, GAP, ANGLE, CURVATURE):
                 item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
             self._widget.setItem(row, column, item)
         item.setText(text)
@@ -117,22 +118,30 @@ class BoundaryTable(QtCore.QObject):
 
 
 def _angle_of(side: dict) -> str:
-    if side["face"] == 0:
+    if not side["has_normal"]:
         return "\u2013"
     return angle_text(max(side["angle"]["max"], side["corner_angle"]["max"]))
+
+
+def _curvature_line(side: dict, report: dict) -> str:
+    found = percent_text(side["curvature"]["max"])
+    if side["asked"] != "G2":
+        return translate("Fairing", "Curvature differs by {0}").format(found)
+    return translate("Fairing", "Curvature differs by {0}, allowed {1}").format(
+        found, percent_text(report["limits"]["curvature"]))
 
 
 def _explanation(side: dict, report: dict) -> str:
     """Everything measured along one side, with the limits."""
     lines = [translate("Fairing", "Gap {0}, allowed {1}").format(length_text(side["gap"]["max"]),
                                                                 length_text(report["limits"]["gap"]))]
-    if side["face"]:
+    if side["has_normal"]:
         lines += [
             translate("Fairing", "Angle {0}, allowed {1}").format(angle_text(side["angle"]["max"]),
                                                                   angle_text(report["limits"]["angle"])),
             translate("Fairing", "Angle next to the corners {0}, allowed {1}").format(
                 angle_text(side["corner_angle"]["max"]), angle_text(report["limits"]["corner_angle"])),
-            translate("Fairing", "Curvature differs by {0:.0%}").format(side["curvature"]["max"]),
+            _curvature_line(side, report),
         ]
     if side["backwards"]:
         lines.append(translate("Fairing", "The surface folds back at this edge."))

@@ -7,9 +7,8 @@ import FreeCAD as App
 from PySide import QtCore
 
 from .. import subelements
-from ..fill_request import ENERGIES, RESULTS
+from ..choices import ENERGIES, LAYOUTS, RESULTS
 from ..translation import translate
-from .fill_session import FillSession
 from .quantities import show_quantity
 from .weight_slider import WeightSlider
 
@@ -18,11 +17,11 @@ TYPING_PAUSE = 250  # ms without a key before a typed number counts
 
 
 class FillChoices(QtCore.QObject):
-    """Shows the choices of a session and writes the user's into it. Emits changed()."""
+    """Shows the choices of a session (of one hole or of all) and writes the user's into it. Emits changed()."""
 
     changed = QtCore.Signal()
 
-    def __init__(self, ui, session: FillSession):
+    def __init__(self, ui, session):
         super().__init__(ui)
         self._ui, self._session = ui, session
         self._lambda = WeightSlider(ui.lambdaSlider, ui.lambdaSpin, session.request.lambda_)
@@ -53,8 +52,14 @@ class FillChoices(QtCore.QObject):
             show_quantity(self._ui.gapSpin, limits["gap"], App.Units.Length, figures=3)
             self._ui.gapSpin.blockSignals(False)
 
+    def show_layout(self, used: str) -> None:
+        """What the automatic choice came to, beside its name; empty while that is not known."""
+        auto = translate("Fairing", "Automatic")
+        self._ui.layoutCombo.setItemText(0, f"{auto}: {used}" if used else auto)
+
     def _show(self) -> None:
         ui, request = self._ui, self._session.request
+        ui.layoutCombo.setCurrentIndex(LAYOUTS.index(request.layout))
         ui.energyCombo.setCurrentIndex(ENERGIES.index(request.energy))
         ui.resultCombo.setCurrentIndex(RESULTS.index(request.result))
         ui.angleSpin.setProperty("singleStep", ANGLE_STEP)
@@ -67,8 +72,8 @@ class FillChoices(QtCore.QObject):
 
     def _connect(self) -> None:
         ui = self._ui
-        ui.energyCombo.currentIndexChanged.connect(self._read)
-        ui.resultCombo.currentIndexChanged.connect(self._read)
+        for combo in (ui.layoutCombo, ui.energyCombo, ui.resultCombo):
+            combo.currentIndexChanged.connect(self._read)
         ui.gapAutoCheck.toggled.connect(self._read)
         for widget in (ui.degreeSpin, ui.polesSpin, ui.gapSpin, ui.angleSpin):
             widget.valueChanged.connect(lambda *_: self._pause.start())
@@ -81,7 +86,8 @@ class FillChoices(QtCore.QObject):
         ui = self._ui
         degree = ui.degreeSpin.value()
         self._session.change(
-            energy=ENERGIES[ui.energyCombo.currentIndex()], result=RESULTS[ui.resultCombo.currentIndex()],
+            layout=LAYOUTS[ui.layoutCombo.currentIndex()], energy=ENERGIES[ui.energyCombo.currentIndex()],
+            result=RESULTS[ui.resultCombo.currentIndex()],
             lambda_=self._lambda.value(), gamma=self._gamma.value(),
             gap_tolerance=None if ui.gapAutoCheck.isChecked() else ui.gapSpin.property("rawValue"),
             angle_tolerance=ui.angleSpin.property("rawValue"),
@@ -101,6 +107,7 @@ class FillChoices(QtCore.QObject):
         ui.energyHint.setText((
             translate("Fairing", "Bends as little as possible."),
             translate("Fairing", "Stretches as little as possible."),
+            translate("Fairing", "Changes its curvature as little as possible: the fairest, and the slowest."),
         )[ui.energyCombo.currentIndex()])
         ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
         ui.guideButton.setText(

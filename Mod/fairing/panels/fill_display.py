@@ -60,7 +60,7 @@ class FillDisplay:
     def _draw_lines(self) -> None:
         sides = self._measured_sides()
         pointed = [position for position, (side, _, _) in enumerate(sides) if side["edge"] == self._pointed]
-        self._preview.show_edges([side["points"] for side, _, _ in sides], [sign.rgb for _, sign, _ in sides], *pointed)
+        self._preview.show_edges([side["points"] for side, _, _ in sides], [sign.rgb for _, sign, _ in sides], pointed)
 
     def _measured_sides(self) -> list[tuple[dict, Status, Optional[dict]]]:
         """Every side of the hole, how well it is met, and what was measured along it."""
@@ -71,6 +71,6 @@ class FillDisplay:
     def _label(self, side: dict, sign: Status, measured: Optional[dict]) -> Label:
         text = side["continuity"]
         if measured and sign is not Status.GOOD:
-            text += f"  {deviation_text(measured)}"
+            text += "  " + deviation_text(measured, self._report["limits"])
         middle = side["points"][len(side["points"]) // 2]
         return Label(side["edge"], tuple(float(x) for x in middle), text, sign.rgb)

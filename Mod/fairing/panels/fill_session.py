@@ -7,13 +7,14 @@ import dataclasses
 from typing import Any, Optional
 
 import FreeCAD as App
-import FreeCADGui as Gui
 
 from .. import exchange, subelements
-from ..features.fill_feature import NOTHING_PICKED, reference_data, reference_link
+from ..features import links
+from ..features.fill_feature import NOTHING_PICKED
 from ..features.fill_properties import read_request
 from ..features.placement import container_for_results, container_of, placement_of, shape_in
 from ..fill_request import FillRequest
+from .commands import link_command, object_command, run_as_one_step
 
 MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
 
@@ -24,6 +25,7 @@ class FillSession:
     def __init__(self, document: App.Document, request: FillRequest, base=None, obj=None):
         self.document, self.request, self.obj = document, request, obj
         self.base = self.reference = None
+        self.through: list[links.Link] = []
         self.loop: list[dict] = []
         self.problem = NOTHING_PICKED
         self._shape = self._brep = None
@@ -34,7 +36,8 @@ class FillSession:
     def of_object(cls, obj: App.DocumentObject) -> "FillSession":
         """To edit a fill."""
         session = cls(obj.Document, read_request(obj), obj.Edges[0] if obj.Edges else None, obj)
-        session.reference = reference_link(obj.Reference)
+        session.reference = links.link_of(obj.Reference)
+        session.through = links.links_of(obj.Through)
         session.find_loop()
         return session
 
@@ -63,7 +66,8 @@ class FillSession:
 
     def clear(self) -> None:
         self.base, self.loop, self.problem = None, [], NOTHING_PICKED
-        self.request = dataclasses.replace(self.request, edges=(), faces=(), edge_continuity=())
+        self.request = dataclasses.replace(self.request, edges=(), faces=(), edge_continuity=(), tangents=(),
+                                           symmetry=())
 
     def change(self, **changes: Any) -> None:
         """Other choices, by the names of FillRequest."""
@@ -81,8 +85,14 @@ class FillSession:
 
     def set_reference(self, reference) -> None:
         """(object, [names]) or None."""
-        self.reference = reference_link(reference)
-        self.change(reference=reference_data(self.reference, self.container))
+        self.reference = links.link_of(reference)
+        self.change(reference=links.reference_data(self.reference, self.container))
+
+    def set_through(self, through) -> None:
+        """[(object, [names])]. Raises ValueError where one has nothing to pass through, and then all is as before."""
+        merged = links.links_of(through)
+        self.change(through=links.through_data(merged, self.container))
+        self.through = merged
 
     def edge_in_loop(self, name: str) -> int:
         """The number of an edge of the hole, 0 for any other name."""
@@ -95,10 +105,8 @@ class FillSession:
         if not (self.base and (self.request.edges or self.request.faces)):
             self.problem = NOTHING_PICKED
             return
-        asked = self.request.arguments()
         try:
-            self.loop = self._shape.boundary(
-                **{key: asked[key] for key in ("edges", "faces", "continuity", "edge_continuity")})
+            self.loop = self._shape.boundary(**self.request.loop_arguments())
         except ValueError as error:
             self.problem = str(error)
 
@@ -115,17 +123,9 @@ class FillSession:
     def commit(self) -> None:
         """Writes the fill into the document as one step to undo, by commands the macro recorder understands."""
         title = "Fill hole" if self.obj is None else f"Edit {self.obj.Label}"
-        self.document.openTransaction(title)
-        try:
-            for module in ("FreeCAD", "fairing"):
-                Gui.addModule(module)
-            Gui.doCommand(self._command())
-            if self.obj is None:
-                self.obj = self.document.ActiveObject
-            self.document.commitTransaction()
-        except Exception:
-            self.document.abortTransaction()
-            raise
+        run_as_one_step(self.document, title, self._command())
+        if self.obj is None:
+            self.obj = self.document.ActiveObject
 
     def _use_base(self, base: App.DocumentObject) -> None:
         self.base = base
@@ -133,33 +133,28 @@ class FillSession:
         self._shape = exchange.native_shape_of(self._brep)
         if self.reference:
             self.set_reference(self.reference)
+        if self.through:
+            self.set_through(self.through)
 
     def _set_picks(self, names) -> None:
         fresh = FillRequest.of(names)
-        self.change(edges=fresh.edges, faces=fresh.faces, edge_continuity=())
+        self.change(edges=fresh.edges, faces=fresh.faces, edge_continuity=(), tangents=(), symmetry=())
         self.find_loop()
 
     def _command(self) -> str:
         """The Python line that does what OK does: only what differs from the defaults, or from the object as it is."""
-        base = _object_command(self.base)
+        base = object_command(self.base)
         if self.obj is None:
-            head, before, link = f"fairing.make_fill({base}, {self.request.picks()!r}", FillRequest(), None
+            head, before, link, parts = f"fairing.make_fill({base}, {self.request.picks()!r}", FillRequest(), None, []
         else:
-            head = f"fairing.change_fill({_object_command(self.obj)}"
-            before, link = read_request(self.obj), reference_link(self.obj.Reference)
+            head = f"fairing.change_fill({object_command(self.obj)}"
+            before, link = read_request(self.obj), links.link_of(self.obj.Reference)
+            parts = links.links_of(self.obj.Through)
             if not self.obj.Edges or self.obj.Edges[0] is not self.base or self.request.picks() != before.picks():
                 head += f", {self.request.picks()!r}, base={base}"
         tail = "".join(f", {name}={value!r}" for name, value in self.request.differences(before).items())
         if self.reference != link:
-            tail += f", reference={_reference_command(self.reference)}"
+            tail += f", reference={link_command(self.reference)}"
+        if self.through != parts:
+            tail += f", through=[{', '.join(map(link_command, self.through))}]"
         return f"{head}{tail})"
-
-
-def _reference_command(reference) -> str:
-    return f"({_object_command(reference[0])}, {list(reference[1])!r})" if reference else "None"
-
-
-def _object_command(obj: App.DocumentObject) -> str:
-    if obj.Document.Name == App.ActiveDocument.Name:
-        return f"FreeCAD.ActiveDocument.getObject({obj.Name!r})"
-    return f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"

@@ -38,8 +38,8 @@ class Preview:
     def hide_surface(self) -> None:
         self._surface.clear()
 
-    def show_edges(self, lines, colors, thick=None) -> None:
-        """Polylines (each n x 3), their colours, and the position of one that stands out."""
+    def show_edges(self, lines, colors, thick=()) -> None:
+        """Polylines (each n x 3), their colours, and the positions of those that stand out."""
         self._edges.show(lines, colors, thick)
 
     def remove(self) -> None:
@@ -101,7 +101,7 @@ class _Edges:
             self.root.addChild(node)
         for position, (line, color) in enumerate(zip(lines, colors)):
             style, material = coin.SoDrawStyle(), coin.SoBaseColor()
-            style.lineWidth = THICK_WIDTH if position == thick else EDGE_WIDTH
+            style.lineWidth = THICK_WIDTH if position in thick else EDGE_WIDTH
             material.rgb = color
             points, strip = coin.SoCoordinate3(), coin.SoLineSet()
             _set_vectors(points.point, np.asarray(line, np.float32))

@@ -23,6 +23,11 @@ def angle_text(degrees: float) -> str:
     return f"{degrees:.{figures}f}\u00b0"
 
 
+def percent_text(share: float) -> str:
+    """0.0042 as 0.4 %, 0.31 as 31 %."""
+    return f"{100 * share:.{1 if share < 0.1 else 0}f} %"
+
+
 def show_quantity(spin, value: float, unit, figures: int = 6) -> None:
     """Puts a value in mm or degrees into a Gui::QuantitySpinBox with that many figures: on its own it rounds to the two
     decimals of the user's preferences, and the value with them."""
@@ -31,8 +36,10 @@ def show_quantity(spin, value: float, unit, figures: int = 6) -> None:
     spin.setProperty("value", quantity)
 
 
-def deviation_text(side: dict) -> str:
-    """What a side misses most plainly: its angle, or its gap where it is only touched."""
+def deviation_text(side: dict, limits: dict) -> str:
+    """What a side misses most plainly: its angle or curvature, or its gap where it is only touched."""
     if side["asked"] == "G0":
         return length_text(side["gap"]["max"])
+    if side["asked"] == "G2" and side["angle"]["max"] <= limits["angle"]:
+        return percent_text(side["curvature"]["max"])
     return angle_text(max(side["angle"]["max"], side["corner_angle"]["max"]))

@@ -60,6 +60,8 @@ def of_side(side: Optional[dict], report: Optional[dict]) -> Status:
     excess = [side["gap"]["max"] / limits["gap"]]
     if side["asked"] != "G0":
         excess += [side[what]["max"] / limits[what] for what in ("angle", "corner_angle")]
+    if side["asked"] == "G2":
+        excess.append(side["curvature"]["max"] / limits["curvature"])
     return Status.NEARLY if max(excess) <= NEARLY and not side["backwards"] else Status.BAD
 
 
@@ -68,3 +70,10 @@ def of_fill(fill) -> Status:
         return Status.GOOD
     signs = [of_side(side, fill.report) for side in fill.report["sides"]]
     return Status.BAD if Status.BAD in signs else Status.NEARLY
+
+
+def of_hole(hole) -> Status:
+    """Of one of several holes; None: it is not filled yet."""
+    if hole is None:
+        return Status.UNKNOWN
+    return of_fill(hole.fill) if hole.fill else Status.BAD

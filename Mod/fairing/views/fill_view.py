@@ -10,34 +10,43 @@ EDIT_DEFAULT = 0  # FreeCAD's edit mode of a double-click
 
 
 class FillView:
+    ICON = "Fairing_FillHole.svg"
+
     def __init__(self, view_object):
         view_object.ShapeColor = settings.patch_color()
-        FillView.attach_to(view_object, self)
+        self.attach_to(view_object, self)
         if view_object.Object.ResultMode == "base":
-            view_object.Object.Edges[0].ViewObject.Visibility = False
+            self.base_of(view_object.Object).ViewObject.Visibility = False
 
     @staticmethod
-    def attach_to(view_object, view=None) -> None:
+    def base_of(obj):
+        """The object whose hole is filled, or None."""
+        return obj.Edges[0] if obj.Edges else None
+
+    @staticmethod
+    def open_panel(obj):
+        from ..panels.fill_panel import FillPanel
+
+        return FillPanel.show(obj=obj)
+
+    @classmethod
+    def attach_to(cls, view_object, view=None) -> None:
         """Gives a view provider its proxy; the colours stay."""
-        view_object.Proxy = view or FillView.__new__(FillView)
+        view_object.Proxy = view or cls.__new__(cls)
 
     def attach(self, view_object) -> None:
         self.object = view_object.Object
 
     def getIcon(self) -> str:
-        return icon("Fairing_FillHole.svg")
+        return icon(self.ICON)
 
     def claimChildren(self):
         """A fill that contains its base stands above it in the tree, as Part's operations do."""
         obj = getattr(self, "object", None)
-        return [obj.Edges[0]] if obj and obj.Edges and obj.ResultMode == "base" else []
+        return [self.base_of(obj)] if obj and obj.ResultMode == "base" and self.base_of(obj) else []
 
     def setEdit(self, view_object, mode: int = EDIT_DEFAULT):
-        if mode != EDIT_DEFAULT:
-            return None
-        from ..panels.fill_panel import FillPanel
-
-        return FillPanel.show(obj=view_object.Object)
+        return self.open_panel(view_object.Object) if mode == EDIT_DEFAULT else None
 
     def unsetEdit(self, view_object, mode: int = EDIT_DEFAULT):
         import FreeCADGui as Gui
@@ -54,9 +63,9 @@ class FillView:
         return True
 
     def onDelete(self, view_object, sub_elements) -> bool:
-        obj = view_object.Object
-        if obj.Edges and obj.ResultMode == "base":
-            obj.Edges[0].ViewObject.Visibility = True
+        base = self.base_of(view_object.Object)
+        if base and view_object.Object.ResultMode == "base":
+            base.ViewObject.Visibility = True
         return True
 
     def dumps(self):

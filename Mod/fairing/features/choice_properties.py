@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties that every kind of fill has: what may be chosen, and how they are added to an object."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from .. import exchange, subelements
+from ..choices import CONTINUITIES, ENERGIES, LAYOUTS, RESULTS, Choices
+from .placement import container_of, shape_in
+
+READ_ONLY, HIDDEN = 1, 4  # FreeCAD's property editor modes, as bits of addProperty's attributes
+
+# name, type, group, tooltip
+CHOSEN = (
+    ("Continuity", "App::PropertyEnumeration", "Boundary",
+     "How the surface meets its neighbours: G2 in curvature, G1 tangentially, G0 only touching"),
+    ("EdgeContinuity", "App::PropertyStringList", "Boundary", "Edges that differ, one a line: Edge7=G0"),
+    ("EdgeDirections", "App::PropertyStringList", "Boundary",
+     "Edges met along a direction in place of a face, one a line: Edge7=tangent 0 0 1, or Edge9=symmetry 1 0 0 for "
+     "an edge in a symmetry plane with that normal"),
+    ("GapTolerance", "App::PropertyLength", "Boundary",
+     "Largest distance of an edge from the surface; 0: a millionth of the hole's diagonal"),
+    ("AngleTolerance", "App::PropertyAngle", "Boundary", "Largest angle between the normals along an edge"),
+    ("Layout", "App::PropertyEnumeration", "Shape",
+     "How patches span the hole: quad one patch, star one a corner, o-grid a ring round an inner one, trimmed one "
+     "trimmed surface; auto: what suits the hole"),
+    ("Energy", "App::PropertyEnumeration", "Shape",
+     "What the surface minimises: thin-plate bends as little as possible, membrane stretches as little as possible, "
+     "mean-curvature-gradient changes its curvature as little as possible"),
+    ("Degree", "App::PropertyInteger", "Shape", "Degree of the surface, 3 to 9; 0: chosen from the edges"),
+    ("MaxPoles", "App::PropertyInteger", "Shape", "Largest number of control points"),
+    ("Reference", "App::PropertyLinkSubGlobal", "Guidance", "Faces whose normals and points guide the surface"),
+    ("Lambda", "App::PropertyFloat", "Guidance", "Weight of the reference's normals, 0: none"),
+    ("Gamma", "App::PropertyFloat", "Guidance", "Weight of the reference's points, 0: none"),
+    ("ResultMode", "App::PropertyEnumeration", "Result",
+     "patches: the new faces; shell: sewn to one another; base: sewn into the base, a solid where that closes it"),
+)
+WORDS = {"Continuity": CONTINUITIES, "Layout": LAYOUTS, "Energy": ENERGIES, "ResultMode": RESULTS}
+
+
+def add(obj: App.DocumentObject, asked, measured, defaults: dict) -> None:
+    """Gives an object every property it does not have yet, with its default; existing ones keep their values."""
+    for name, kind, group, tip in asked:
+        is_new = name not in obj.PropertiesList
+        if is_new:
+            obj.addProperty(kind, name, group, tip)
+        if name in WORDS:
+            _offer(obj, name, None if is_new else getattr(obj, name))
+        if is_new and name in defaults:
+            setattr(obj, name, defaults[name])
+    for name, kind, group, tip in measured:
+        if name not in obj.PropertiesList:
+            obj.addProperty(kind, name, group, tip, READ_ONLY)
+
+
+def defaults_of(plain: Choices) -> dict:
+    """Every other property starts as FreeCAD makes it: 0, empty, the first choice."""
+    return {"Continuity": plain.continuity, "Layout": plain.layout, "Energy": plain.energy,
+            "AngleTolerance": plain.angle_tolerance, "MaxPoles": plain.max_poles}
+
+
+def write(obj: App.DocumentObject, chosen: Choices, reference) -> None:
+    """Stores what is chosen; of the reference its link, (object, [names]) or None."""
+    obj.Continuity = chosen.continuity
+    obj.EdgeContinuity = [f"Edge{edge}={word}" for edge, word in chosen.edge_continuity]
+    obj.EdgeDirections = [f"Edge{edge}={word} {' '.join(map(repr, direction))}"
+                          for word, directions in (("tangent", chosen.tangents), ("symmetry", chosen.symmetry))
+                          for edge, direction in directions]
+    obj.GapTolerance = chosen.gap_tolerance or 0.0
+    obj.AngleTolerance = chosen.angle_tolerance
+    obj.Layout = chosen.layout
+    obj.Energy = chosen.energy
+    obj.Degree = chosen.degree
+    obj.MaxPoles = chosen.max_poles
+    obj.Lambda = chosen.lambda_
+    obj.Gamma = chosen.gamma
+    obj.Reference = reference
+    obj.ResultMode = chosen.result
+
+
+def read(obj: App.DocumentObject) -> dict:
+    """What an object's properties choose, as arguments of a request's of(). Raises ValueError with one sentence."""
+    reference = shape_in(container_of(obj), *obj.Reference) if obj.Reference else None
+    directions = {"tangent": {}, "symmetry": {}}
+    for edge, wish in _wishes(obj, "EdgeDirections", "Edge7=tangent 0 0 1"):
+        word, *numbers = wish.replace(",", " ").split() or [""]
+        if word not in directions or len(numbers) != 3 or not all(map(_is_number, numbers)):
+            raise ValueError(f"EdgeDirections holds '{edge}={wish}': write such as Edge7=tangent 0 0 1")
+        directions[word][edge] = tuple(map(float, numbers))
+    return dict(
+        edge_continuity=dict(_wishes(obj, "EdgeContinuity", "Edge7=G0")), tangents=directions["tangent"],
+        symmetry=directions["symmetry"], continuity=obj.Continuity, layout=obj.Layout, energy=obj.Energy,
+        lambda_=obj.Lambda, gamma=obj.Gamma, reference=exchange.data_of(reference) if reference else None,
+        gap_tolerance=obj.GapTolerance.Value or None, angle_tolerance=obj.AngleTolerance.Value, degree=obj.Degree,
+        max_poles=obj.MaxPoles, result=obj.ResultMode)
+
+
+def _wishes(obj: App.DocumentObject, name: str, sample: str):
+    """The lines "Edge7=..." of a property, as pairs."""
+    for line in getattr(obj, name):
+        edge, _, wish = (part.strip() for part in line.partition("="))
+        if not subelements.is_edge(edge):
+            raise ValueError(f"{name} holds '{line}': write an edge and its wish, such as {sample}")
+        yield edge, wish
+
+
+def _offer(obj: App.DocumentObject, name: str, kept) -> None:
+    """Today's words to choose from, also in objects that were made when there were fewer."""
+    if kept is None or obj.getEnumerationsOfProperty(name) != list(WORDS[name]):
+        setattr(obj, name, list(WORDS[name]))
+        if kept is not None:
+            setattr(obj, name, kept)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

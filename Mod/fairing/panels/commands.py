@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Changing the document by lines of Python that FreeCAD's macro recorder writes down."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+
+def run_as_one_step(document: App.Document, title: str, command: str) -> None:
+    """Runs a line of Python as one step to undo; the macro recorder writes it down. Where it fails, nothing is done."""
+    document.openTransaction(title)
+    try:
+        for module in ("FreeCAD", "fairing"):
+            Gui.addModule(module)
+        Gui.doCommand(command)
+        document.commitTransaction()
+    except Exception:
+        document.abortTransaction()
+        raise
+
+
+def link_command(link) -> str:
+    return f"({object_command(link[0])}, {list(link[1])!r})" if link else "None"
+
+
+def object_command(obj: App.DocumentObject) -> str:
+    """The Python expression that finds an object again."""
+    if obj.Document.Name == App.ActiveDocument.Name:
+        return f"FreeCAD.ActiveDocument.getObject({obj.Name!r})"
+    return f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
