@@ -2,6 +2,149 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
  <context>
+  <name>FairingFillAllPanel</name>
+  <message>
+   <source>Fill All Holes</source>
+   <translation>Alle Löcher füllen</translation>
+  </message>
+  <message>
+   <source>Holes</source>
+   <translation>Löcher</translation>
+  </message>
+  <message>
+   <source>Pick an edge or a face of the object whose holes are to be filled.</source>
+   <translation>Eine Kante oder Fläche des Objekts anklicken, dessen Löcher gefüllt werden sollen.</translation>
+  </message>
+  <message>
+   <source>The holes of the object. Those with a tick are filled. A click on a row shows its hole in the 3D view.</source>
+   <translation>Die Löcher des Objekts. Die mit Haken werden gefüllt. Ein Klick auf eine Zeile zeigt ihr Loch in der 3D-Ansicht.</translation>
+  </message>
+  <message>
+   <source>Hole</source>
+   <translation>Loch</translation>
+  </message>
+  <message>
+   <source>Number of the hole; the tick says whether it is filled, the sign how well</source>
+   <translation>Nummer des Lochs; der Haken sagt, ob es gefüllt wird, das Zeichen, wie gut</translation>
+  </message>
+  <message>
+   <source>Sides</source>
+   <translation>Seiten</translation>
+  </message>
+  <message>
+   <source>Number of edges round the hole</source>
+   <translation>Zahl der Kanten um das Loch</translation>
+  </message>
+  <message>
+   <source>Layout</source>
+   <translation>Aufteilung</translation>
+  </message>
+  <message>
+   <source>How patches span the hole</source>
+   <translation>Wie Flächenstücke das Loch überspannen</translation>
+  </message>
+  <message>
+   <source>Gap</source>
+   <translation>Abstand</translation>
+  </message>
+  <message>
+   <source>Largest distance of an edge from the surface</source>
+   <translation>Größter Abstand einer Kante von der Fläche</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Winkel</translation>
+  </message>
+  <message>
+   <source>Largest angle between the surface and a neighbouring face</source>
+   <translation>Größter Winkel zwischen der Fläche und einer Nachbarfläche</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>Urteil</translation>
+  </message>
+  <message>
+   <source>Whether the hole is filled within the tolerances</source>
+   <translation>Ob das Loch innerhalb der Toleranzen gefüllt ist</translation>
+  </message>
+  <message>
+   <source>All</source>
+   <translation>Alle</translation>
+  </message>
+  <message>
+   <source>Fill every hole</source>
+   <translation>Jedes Loch füllen</translation>
+  </message>
+  <message>
+   <source>None</source>
+   <translation>Keins</translation>
+  </message>
+  <message>
+   <source>Fill no hole</source>
+   <translation>Kein Loch füllen</translation>
+  </message>
+  <message>
+   <source>Meet</source>
+   <translation>Anschluss</translation>
+  </message>
+  <message>
+   <source>How the surfaces meet the faces beside the holes: G2 in curvature, G1 tangentially, G0 only touching. Default: G1</source>
+   <translation>Wie die Flächen an die Flächen neben den Löchern anschließen: G2 in der Krümmung, G1 tangential, G0 nur berührend. Vorgabe: G1</translation>
+  </message>
+  <message>
+   <source>G0</source>
+   <translation>G0</translation>
+  </message>
+  <message>
+   <source>G1</source>
+   <translation>G1</translation>
+  </message>
+  <message>
+   <source>G2</source>
+   <translation>G2</translation>
+  </message>
+  <message>
+   <source>Outer borders</source>
+   <translation>Außenränder</translation>
+  </message>
+  <message>
+   <source>Fill the rims of open sheets, too. Default: off</source>
+   <translation>Auch die Ränder offener Flächen füllen. Vorgabe: aus</translation>
+  </message>
+  <message>
+   <source>How many holes are filled within the tolerances, as measured; of a selected row, how well its hole is</source>
+   <translation>Wie viele Löcher innerhalb der Toleranzen gefüllt sind, wie gemessen; von einer gewählten Zeile, wie gut ihr Loch</translation>
+  </message>
+  <message>
+   <source>Preview</source>
+   <translation>Vorschau</translation>
+  </message>
+  <message>
+   <source>Compute and show the surface whenever something changes</source>
+   <translation>Die Fläche nach jeder Änderung berechnen und zeigen</translation>
+  </message>
+  <message>
+   <source>Labels</source>
+   <translation>Schilder</translation>
+  </message>
+  <message>
+   <source>Show the number of each hole in the 3D view</source>
+   <translation>Die Nummer jedes Lochs in der 3D-Ansicht zeigen</translation>
+  </message>
+  <message>
+   <source>The surface is being computed</source>
+   <translation>Die Fläche wird berechnet</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Halt</translation>
+  </message>
+  <message>
+   <source>Stop computing</source>
+   <translation>Die Berechnung anhalten</translation>
+  </message>
+ </context>
+ <context>
   <name>FairingFillPanel</name>
   <message>
    <source>Fill Hole</source>
@@ -16,8 +159,8 @@
    <translation>In der 3D-Ansicht eine Kante des Lochs anklicken oder die Fläche, die ersetzt werden soll.</translation>
   </message>
   <message>
-   <source>The edges round the hole, in order. Continuity: G1 meets the neighbouring face tangentially, G0 only touches the edge. Gap and angle are the largest ones measured along the edge.</source>
-   <translation>Die Kanten um das Loch der Reihe nach. G1 schließt tangential an die Nachbarfläche an, G0 berührt nur die Kante. Abstand und Winkel sind die größten, die entlang der Kante gemessen wurden.</translation>
+   <source>The edges round the hole, in order. Meets: G2 meets the neighbouring face in curvature, G1 tangentially, G0 only touches the edge. The numbers are the largest ones measured along the edge.</source>
+   <translation>Die Kanten um das Loch der Reihe nach. G2 schließt in der Krümmung an die Nachbarfläche an, G1 tangential, G0 berührt nur die Kante. Die Zahlen sind die größten, die entlang der Kante gemessen wurden.</translation>
   </message>
   <message>
    <source>Edge</source>
@@ -60,6 +203,22 @@
    <translation>Größter Winkel zwischen der Fläche und der Nachbarfläche, in Grad</translation>
   </message>
   <message>
+   <source>Curv.</source>
+   <translation>Krümm.</translation>
+  </message>
+  <message>
+   <source>Largest relative difference between the curvatures of the surface and of the neighbouring face across the edge</source>
+   <translation>Größter relativer Unterschied zwischen den Krümmungen der Fläche und der Nachbarfläche quer zur Kante</translation>
+  </message>
+  <message>
+   <source>All G2</source>
+   <translation>Alle G2</translation>
+  </message>
+  <message>
+   <source>Meet every neighbouring face in curvature</source>
+   <translation>An jede Nachbarfläche in der Krümmung anschließen</translation>
+  </message>
+  <message>
    <source>All G1</source>
    <translation>Alle G1</translation>
   </message>
@@ -82,6 +241,26 @@
   <message>
    <source>Forget the edges and pick another hole</source>
    <translation>Die Kanten vergessen und ein anderes Loch wählen</translation>
+  </message>
+  <message>
+   <source>Pass through points or edges</source>
+   <translation>Durch Punkte oder Kanten führen</translation>
+  </message>
+  <message>
+   <source>Pick vertices, edges, sketches or datum points in the 3D view or the tree that the surface is to pass through</source>
+   <translation>In der 3D-Ansicht oder im Baum Punkte, Kanten, Skizzen oder Bezugspunkte wählen, durch die die Fläche gehen soll</translation>
+  </message>
+  <message>
+   <source>✕</source>
+   <translation>✕</translation>
+  </message>
+  <message>
+   <source>Leave out what is selected in the list, or everything</source>
+   <translation>Weglassen, was in der Liste gewählt ist, oder alles</translation>
+  </message>
+  <message>
+   <source>What the surface passes through, with its distance from it as measured</source>
+   <translation>Wodurch die Fläche geht, mit dem gemessenen Abstand von ihr</translation>
   </message>
   <message>
    <source>Whether the surface meets its neighbours within the tolerances, as measured</source>
@@ -115,17 +294,52 @@
    <source>Stop computing</source>
    <translation>Die Berechnung anhalten</translation>
   </message>
+ </context>
+ <context>
+  <name>FairingChoices</name>
+  <message>
+   <source>Choices</source>
+   <translation>Einstellungen</translation>
+  </message>
   <message>
    <source>Shape</source>
    <translation>Form</translation>
+  </message>
+  <message>
+   <source>Layout</source>
+   <translation>Aufteilung</translation>
+  </message>
+  <message>
+   <source>How patches span the hole. Automatic takes what suits it: one patch for four sides, a star for other corners, a ring for round holes. Default: Automatic</source>
+   <translation>Wie Flächenstücke das Loch überspannen. Automatisch nimmt, was passt: ein Stück bei vier Seiten, einen Stern bei anderen Ecken, einen Ring bei runden Löchern. Vorgabe: Automatisch</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>Quad</source>
+   <translation>Viereck</translation>
+  </message>
+  <message>
+   <source>Star</source>
+   <translation>Stern</translation>
+  </message>
+  <message>
+   <source>O-grid</source>
+   <translation>Ring</translation>
+  </message>
+  <message>
+   <source>Trimmed</source>
+   <translation>Getrimmt</translation>
   </message>
   <message>
    <source>Energy</source>
    <translation>Energie</translation>
   </message>
   <message>
-   <source>What the surface minimises inside the hole. Default: Thin plate</source>
-   <translation>Was die Fläche im Loch möglichst klein macht. Vorgabe: Dünne Platte</translation>
+   <source>What the surface minimises inside the hole</source>
+   <translation>Was die Fläche im Inneren des Lochs kleinstmöglich macht</translation>
   </message>
   <message>
    <source>Thin plate</source>
@@ -134,6 +348,10 @@
   <message>
    <source>Membrane</source>
    <translation>Membran</translation>
+  </message>
+  <message>
+   <source>Least change of curvature</source>
+   <translation>Geringste Krümmungsänderung</translation>
   </message>
   <message>
    <source>Guide</source>
@@ -146,6 +364,10 @@
   <message>
    <source>Pick faces in the 3D view whose normals and points guide the surface</source>
    <translation>In der 3D-Ansicht Flächen anklicken, deren Normalen und Punkte die Fläche führen</translation>
+  </message>
+  <message>
+   <source>✕</source>
+   <translation>✕</translation>
   </message>
   <message>
    <source>No guide</source>
@@ -228,6 +450,10 @@
    <translation>Größte Zahl von Kontrollpunkten. Vorgabe: 10000</translation>
   </message>
   <message>
+   <source>≤ </source>
+   <translation>≤ </translation>
+  </message>
+  <message>
    <source> points</source>
    <translation> Punkte</translation>
   </message>
@@ -259,6 +485,38 @@
    <translation>G1 - tangential</translation>
   </message>
   <message>
+   <source>G2 - in curvature</source>
+   <translation>G2 - in der Krümmung</translation>
+  </message>
+  <message>
+   <source>Layout</source>
+   <translation>Aufteilung</translation>
+  </message>
+  <message>
+   <source>How patches span a hole</source>
+   <translation>Wie Flächenstücke ein Loch überspannen</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>Quad</source>
+   <translation>Viereck</translation>
+  </message>
+  <message>
+   <source>Star</source>
+   <translation>Stern</translation>
+  </message>
+  <message>
+   <source>O-grid</source>
+   <translation>Ring</translation>
+  </message>
+  <message>
+   <source>Trimmed</source>
+   <translation>Getrimmt</translation>
+  </message>
+  <message>
    <source>Energy</source>
    <translation>Energie</translation>
   </message>
@@ -273,6 +531,10 @@
   <message>
    <source>Membrane - stretches as little as possible</source>
    <translation>Membran - dehnt sich so wenig wie möglich</translation>
+  </message>
+  <message>
+   <source>Least change of curvature - the fairest</source>
+   <translation>Geringste Krümmungsänderung - am schönsten</translation>
   </message>
   <message>
    <source>Result</source>
@@ -301,6 +563,10 @@
   <message>
    <source>Largest angle to the neighbouring faces that counts as tangential, in degrees</source>
    <translation>Größter Winkel zu den Nachbarflächen, der als tangential gilt, in Grad</translation>
+  </message>
+  <message>
+   <source> °</source>
+   <translation> °</translation>
   </message>
   <message>
    <source>Control points, at most</source>
@@ -353,12 +619,32 @@
    <translation>Das ist die Fläche, die gerade entsteht: eine Kante des Lochs daneben anklicken.</translation>
   </message>
   <message>
+   <source>Pick a point, an edge, a sketch or a datum point.</source>
+   <translation>Einen Punkt, eine Kante, eine Skizze oder einen Bezugspunkt wählen.</translation>
+  </message>
+  <message>
    <source>Pick an edge of the hole, or the face to be replaced.</source>
    <translation>Eine Kante des Lochs anklicken oder die Fläche, die ersetzt werden soll.</translation>
   </message>
   <message>
-   <source>G1: tangential to the face. G0: only touches the edge.</source>
-   <translation>G1: tangential zur Fläche. G0: berührt nur die Kante.</translation>
+   <source>Fairing cannot work</source>
+   <translation>Fairing kann nicht arbeiten</translation>
+  </message>
+  <message>
+   <source>G2: with the curvature of the face. G1: tangential to it. G0: only touches the edge.</source>
+   <translation>G2: mit der Krümmung der Nachbarfläche. G1: tangential zu ihr. G0: berührt nur die Kante.</translation>
+  </message>
+  <message>
+   <source>Curvature differs by {0}, allowed {1}</source>
+   <translation>Krümmung weicht um {0} ab, erlaubt {1}</translation>
+  </message>
+  <message>
+   <source>The surface folds back at this edge.</source>
+   <translation>Die Fläche schlägt an dieser Kante um.</translation>
+  </message>
+  <message>
+   <source>Curvature differs by {0}</source>
+   <translation>Krümmung weicht um {0} ab</translation>
   </message>
   <message>
    <source>Gap {0}, allowed {1}</source>
@@ -373,12 +659,12 @@
    <translation>Winkel bei den Ecken {0}, erlaubt {1}</translation>
   </message>
   <message>
-   <source>Curvature differs by {0:.0%}</source>
-   <translation>Krümmung unterscheidet sich um {0:.0%}</translation>
+   <source>Pick a point, an edge or a sketch</source>
+   <translation>Punkt, Kante oder Skizze anklicken</translation>
   </message>
   <message>
-   <source>The surface folds back at this edge.</source>
-   <translation>Die Fläche schlägt an dieser Kante um.</translation>
+   <source>Pass through points or edges</source>
+   <translation>Durch Punkte oder Kanten führen</translation>
   </message>
   <message>
    <source>Stopped. Change something, or press OK, to compute again.</source>
@@ -393,6 +679,26 @@
    <translation>Rechnet ...</translation>
   </message>
   <message>
+   <source>not filled</source>
+   <translation>nicht gefüllt</translation>
+  </message>
+  <message>
+   <source>good</source>
+   <translation>gut</translation>
+  </message>
+  <message>
+   <source>out of tolerance</source>
+   <translation>außerhalb</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>Pick faces in the 3D view</source>
+   <translation>Flächen in der 3D-Ansicht wählen</translation>
+  </message>
+  <message>
    <source>Bends as little as possible.</source>
    <translation>Biegt sich so wenig wie möglich.</translation>
   </message>
@@ -401,16 +707,23 @@
    <translation>Dehnt sich so wenig wie möglich.</translation>
   </message>
   <message>
-   <source>Pick faces in the 3D view</source>
-   <translation>Flächen in der 3D-Ansicht wählen</translation>
+   <source>Changes its curvature as little as possible: the fairest, and the slowest.</source>
+   <translation>Ändert ihre Krümmung so wenig wie möglich: am schönsten und am langsamsten.</translation>
   </message>
   <message>
    <source>Pick guiding faces</source>
    <translation>Führende Flächen wählen</translation>
   </message>
+ </context>
+ <context>
+  <name>Fairing_FillAllHoles</name>
   <message>
-   <source>Fairing cannot work</source>
-   <translation>Fairing kann nicht arbeiten</translation>
+   <source>Fill All Holes</source>
+   <translation>Alle Löcher füllen</translation>
+  </message>
+  <message>
+   <source>Fill every hole of the selected object with a surface that meets its neighbours smoothly</source>
+   <translation>Jedes Loch des gewählten Objekts mit einer Fläche füllen, die glatt an ihre Nachbarn anschließt</translation>
   </message>
  </context>
  <context>

@@ -56,6 +56,15 @@ assert scene_size() > nodes
 gui.press("Cancel")
 nothing_is_left(document, nodes)
 
+Gui.Selection.clearSelection()
+Gui.Selection.addSelection(document.Name, "Base")
+Gui.runCommand("Fairing_FillAllHoles")
+gui.wait_for_verdict("Fills")
+gui.type_into("angleSpin", f"{LONG_ANGLE} deg")
+gui.wait_for(lambda: gui.widget("stopButton").isVisible(), "the progress bar of all holes")
+gui.press("Cancel")
+nothing_is_left(document, nodes)
+
 start_a_long_solve(document, edges[0])
 gui.picture("6_long_solve")
 began = time.monotonic()

@@ -39,6 +39,13 @@ def use_the_panel(document, edge):
     gui.widget("energyCombo").setCurrentIndex(1)
     gui.wait_for_verdict()
     gui.press("Ok")
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(document.Name, "Base")
+    Gui.runCommand("Fairing_FillAllHoles")
+    gui.wait_for_verdict("Fills")
+    gui.widget("continuityCombo").setCurrentIndex(0)
+    gui.wait_for_verdict("Fills")
+    gui.press("Ok")
 
 
 App.ParamGet("User parameter:BaseApp/Preferences/Macro").SetString("MacroPath", FOLDER)
@@ -50,14 +57,16 @@ use_the_panel(document, edges[0])
 Gui.runCommand("Std_MacroStopRecord")
 recorded = document.Fill.Shape
 wishes = document.Fill.EdgeContinuity
-assert document.Fill.Energy == "membrane" and len(wishes) == 1 and document.UndoNames == ["Edit Fill", "Fill hole"]
+assert document.Fill.Energy == "membrane" and len(wishes) == 1 and document.UndoNames == [
+    "Fill all holes", "Edit Fill", "Fill hole"]
 
 with open(os.path.join(FOLDER, "fill.FCMacro")) as file:
     macro = file.read()
 lines = [line for line in macro.splitlines() if "fairing" in line]
 print("\n".join(lines))
-assert lines[0] == "import fairing" and lines[-2].startswith("fairing.make_fill(")
-assert lines[-1] == "fairing.change_fill(FreeCAD.ActiveDocument.getObject('Fill'), energy='membrane')"
+assert lines[0] == "import fairing" and lines[-3].startswith("fairing.make_fill(")
+assert lines[-1] == "fairing.make_fill_all(FreeCAD.ActiveDocument.getObject('Base'), continuity='G0')"
+assert lines[-2] == "fairing.change_fill(FreeCAD.ActiveDocument.getObject('Fill'), energy='membrane')"
 
 second, _, _ = support.example("Second")
 App.setActiveDocument(second.Name)
@@ -66,4 +75,5 @@ fill = second.Fill
 assert fill.isValid() and fill.Energy == "membrane" and fill.EdgeContinuity == wishes
 assert abs(fill.Shape.Area - recorded.Area) < 1e-9 * recorded.Area
 assert fill.Shape.CenterOfMass.distanceToPoint(recorded.CenterOfMass) < 1e-9
+assert second.FillAll.isValid() and second.FillAll.Continuity == "G0" and len(second.FillAll.Shape.Faces) == 1
 print("passed")

@@ -49,7 +49,7 @@ def write_request(obj: App.DocumentObject, request: FillRequest, base: App.Docum
     """Stores what is asked for; of the reference its link, (object, [names]) or None, and of `through` a list of
     such links."""
     obj.Edges = (base, request.picks())
-    obj.Through = through
+    obj.Through = [(part, names or [""]) for part, names in through]  # "": the whole object
     choice_properties.write(obj, request, reference)
 
 

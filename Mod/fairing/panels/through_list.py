@@ -27,6 +27,7 @@ class ThroughList(QtCore.QObject):
     def __init__(self, ui, session: FillSession):
         super().__init__(ui)
         self._ui, self._session = ui, session
+        ui.throughList.setIconSize(QtCore.QSize(14, 14))
         ui.throughButton.toggled.connect(self._prompt)
         ui.throughRemoveButton.clicked.connect(self._remove)
         self._prompt()
@@ -57,6 +58,7 @@ class ThroughList(QtCore.QObject):
                 gap = inner[position]["gap"]["max"]
                 item.setText(f"{text}   {length_text(gap)}")
                 sign = status.Status.GOOD if gap <= report["limits"]["gap"] else status.Status.BAD
+            item.setSizeHint(QtCore.QSize(0, ROW_HEIGHT))
             item.setIcon(QtGui.QIcon(sign.pixmap(14)))
             ui.throughList.addItem(item)
         ui.throughList.setVisible(bool(shown))
