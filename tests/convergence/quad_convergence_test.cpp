@@ -7,7 +7,8 @@
 
 #include "core/assembly/assemble_energy.h"
 #include "core/constraint/constraint_set.h"
-#include "core/layout/quad.h"
+#include "core/layout/build_layout.h"
+#include "core/layout/layouts.h"
 #include "core/solver/solve.h"
 #include "support/known_loops.h"
 #include "support/measure.h"
@@ -30,15 +31,16 @@ KnotVector uniformKnots(int degree, int spans) {
 
 BsplineSurface fillOnUniformKnots(const boundary::BoundaryLoop& loop, int degree, int spans) {
   const KnotVector knots = uniformKnots(degree, spans);
-  const auto layout = layout::quadLayout(loop, {knots, knots});
-  const auto set = constraint::constrainSides(loop, *layout);
+  const auto layout =
+      layout::buildLayout(*layout::planLayout(loop, LayoutKind::Quad), {knots, knots});
+  const auto set = constraint::constrainSides(loop, layout);
   solver::QuadraticProgram program;
-  program.stiffness = assembly::assembleEnergy(*layout, energy::thinPlate());
+  program.stiffness = assembly::assembleEnergy(layout, energy::thinPlate());
   program.fixed = set->fixed;
   program.values = set->values;
   program.blocks = set->blocks;
   const auto solution = solver::solve(program);
-  return {layout->patches[0].u, layout->patches[0].v, solution->points};
+  return {layout.patches[0].u, layout.patches[0].v, solution->points};
 }
 
 double slope(double coarse, double fine) {

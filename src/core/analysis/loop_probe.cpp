@@ -9,6 +9,9 @@
 namespace fairing::analysis {
 namespace {
 
+// Edges that meet at a larger angle (degrees) continue each other: there is no corner to allow for.
+constexpr double kSmoothJoint = 179.5;
+
 // Arc length over the parameter, by trapezoids.
 class ArcLength {
  public:
@@ -59,6 +62,8 @@ ProbePoint probe(const boundary::Ribbon& ribbon,
 
 std::vector<ProbePoint> probeSide(const boundary::Ribbon& ribbon,
                                   const boundary::Ribbon& target,
+                                  bool startsInCorner,
+                                  bool endsInCorner,
                                   int inside,
                                   int corner) {
   const ArcLength length(ribbon);
@@ -66,10 +71,11 @@ std::vector<ProbePoint> probeSide(const boundary::Ribbon& ribbon,
   const auto add = [&](double share, bool inCorner) {
     points.push_back(probe(ribbon, target, length.parameterAt(share), inCorner));
   };
-  for (int k = 0; k < corner; ++k) add(kCornerZone * (k + 0.5) / corner, true);
+  for (int k = 0; k < corner; ++k) add(kCornerZone * (k + 0.5) / corner, startsInCorner);
   for (int k = 0; k < inside; ++k)
     add(kCornerZone + (1.0 - 2.0 * kCornerZone) * (k + 0.5) / inside, false);
-  for (int k = 0; k < corner; ++k) add(1.0 - kCornerZone * (corner - k - 0.5) / corner, true);
+  for (int k = 0; k < corner; ++k)
+    add(1.0 - kCornerZone * (corner - k - 0.5) / corner, endsInCorner);
   points.push_back(probe(ribbon, target, 1.0, true));
   return points;
 }
@@ -81,8 +87,15 @@ LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
                     int inside,
                     int corner) {
   LoopProbe probe;
-  for (std::size_t k = 0; k < loop.sides.size(); ++k)
-    probe.sides.push_back(probeSide(loop.sides[k].ribbon, target.sides[k].ribbon, inside, corner));
+  const std::size_t n = loop.sides.size();
+  const auto isCorner = [&](std::size_t k) { return loop.corners[k].angle < kSmoothJoint; };
+  for (std::size_t k = 0; k < n; ++k)
+    probe.sides.push_back(probeSide(loop.sides[k].ribbon,
+                                    target.sides[k].ribbon,
+                                    isCorner((k + n - 1) % n),
+                                    isCorner(k),
+                                    inside,
+                                    corner));
   return probe;
 }
 

@@ -9,7 +9,8 @@
 namespace fairing::analysis {
 
 /// A place where a side is measured, with what the base says there. "Corner" places lie within
-/// kCornerZone of the length next to either end.
+/// kCornerZone of the length next to an end, unless the next edge continues this one smoothly
+/// there.
 struct ProbePoint {
   double t = 0.0;  ///< side parameter
   bool inCorner = false;
@@ -34,7 +35,7 @@ struct LoopProbe {
 /// (boundary/follow_support.h).
 [[nodiscard]] LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
                                   const boundary::BoundaryLoop& target,
-                                  int inside = 61,
+                                  int inside = 81,
                                   int corner = 8);
 [[nodiscard]] inline LoopProbe probeLoop(const boundary::BoundaryLoop& loop) {
   return probeLoop(loop, loop);

@@ -63,6 +63,17 @@ double twistMismatch(const BoundarySide& before, const BoundarySide& after) {
   return std::abs(v.dot(nu) - u.dot(nv)) / std::min(u.norm(), v.norm()) * kDegrees;
 }
 
+// The hole lies left of the sides: from the way on, counter-clockwise about the normal, to the way
+// back.
+double insideAngle(const BoundarySide& before, const BoundarySide& after, double angle) {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  if (before.ribbon.hasSupport()) normal += before.ribbon.support(1.0).normal;
+  if (after.ribbon.hasSupport()) normal += after.ribbon.support(0.0).normal;
+  const Eigen::Vector3d on = after.ribbon.curve(0.0).derivative;
+  const Eigen::Vector3d back = -before.ribbon.curve(1.0).derivative;
+  return on.cross(back).dot(normal) < 0.0 ? 360.0 - angle : angle;
+}
+
 Corner classify(const BoundarySide& before, const BoundarySide& after) {
   const CurveSample end = before.ribbon.curve(1.0), start = after.ribbon.curve(0.0);
   Corner corner;
@@ -70,6 +81,7 @@ Corner classify(const BoundarySide& before, const BoundarySide& after) {
   corner.gap = (end.point - start.point).norm();
   const Eigen::Vector3d back = -end.derivative.normalized(), on = start.derivative.normalized();
   corner.angle = std::atan2(back.cross(on).norm(), back.dot(on)) * kDegrees;
+  corner.insideAngle = insideAngle(before, after, corner.angle);
   if (before.ribbon.hasSupport() && after.ribbon.hasSupport()) {
     const Eigen::Vector3d a = before.ribbon.support(1.0).normal,
                           b = after.ribbon.support(0.0).normal;

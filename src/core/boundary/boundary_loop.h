@@ -8,6 +8,12 @@
 
 namespace fairing::boundary {
 
+/// Up to which parameter of a side a continuity is asked for.
+struct ContinuityUpTo {
+  double t = 1.0;
+  Continuity continuity = Continuity::G1;
+};
+
 /// One side of the hole: an edge, the face beside it and how the patch is to meet it.
 struct BoundarySide {
   int edge = 0;  ///< FreeCAD's EdgeN, for messages and reports
@@ -18,18 +24,32 @@ struct BoundarySide {
   double supportDeviation =
       0.0;                  ///< largest distance found between the 3D edge and the support face, mm
   double followedBy = 0.0;  ///< how far followSupports() moved the side towards its face, mm
+  /// Where edges that ask for different continuity make one side: ascending, the last one's t is 1.
+  /// Empty = `continuity` (the strictest of them) all along.
+  std::vector<ContinuityUpTo> stretches;
+
+  [[nodiscard]] Continuity continuityAt(double t) const {
+    for (const ContinuityUpTo& stretch : stretches)
+      if (t < stretch.t) return stretch.continuity;
+    return stretches.empty() ? continuity : stretches.back().continuity;
+  }
 };
 
 /// Where side i ends and side i+1 begins.
 struct Corner {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  double angle = 0.0;  ///< between the two sides, inside the hole, degrees in (0, 180)
+  double angle = 0.0;  ///< between the two sides, degrees in (0, 180)
+  /// The angle the hole has here, degrees in (0, 360): beyond 180 at a re-entrant corner. Without a
+  /// support normal on either side it is `angle`.
+  double insideAngle = 0.0;
   double normalMismatch =
       0.0;           ///< between the two support normals, degrees; 0 where a side has no support
   double gap = 0.0;  ///< distance between the end of one edge and the start of the next, mm
   /// Difference of the twists the two sides ask for, as a rate of turn of the tangent plane:
   /// degrees over a unit of the side's parameter. 0 where one of the sides is G0.
   double twistMismatch = 0.0;
+  /// So little of a corner that nothing need bend for it.
+  [[nodiscard]] bool isNearlyStraight() const { return insideAngle > 177.0 && insideAngle < 183.0; }
   [[nodiscard]] bool normalsAgree(double degrees) const { return normalMismatch <= degrees; }
 };
 

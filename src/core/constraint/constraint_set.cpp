@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/constraint/seam_ties.h"
 #include "core/constraint/tangent_plane.h"
 
 namespace fairing::constraint {
@@ -31,22 +32,29 @@ void fixOuterRow(const ConstrainedEdge& edge, ConstraintSet& set) {
   }
 }
 
-Result<void> constrainPatch(const Edges& edges, ConstraintSet& set) {
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto& before = edges[k];
-    const auto& after = edges[(k + 1) % 4];
-    if (!before || !after) continue;
-    auto twist = cornerTwist(*before, *after);
-    if (!twist) return tl::unexpected<Error>(twist.error());
-    if (*twist) set.blocks.push_back(std::move(**twist));
-  }
-  for (const auto& edge : edges) {
-    if (!edge || !edge->isTangent()) continue;
-    auto rows = tangentRows(*edge);
-    if (!rows) return tl::unexpected<Error>(rows.error());
-    set.blocks.push_back(std::move(*rows));
-  }
-  return {};
+// Where an edge of a patch meets the next one of the loop: in a corner of the same patch, or at the
+// end of a seam.
+struct Meeting {
+  const ConstrainedEdge* before = nullptr;
+  const ConstrainedEdge* after = nullptr;
+  bool samePatch = false;
+};
+
+std::vector<Meeting> meetings(const boundary::BoundaryLoop& loop,
+                              const std::vector<Edges>& patches) {
+  std::vector<Meeting> result(loop.sides.size());
+  std::vector<std::size_t> patchOf(loop.sides.size());
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (const auto& edge : patches[p]) {
+      if (!edge) continue;
+      const auto side = static_cast<std::size_t>(edge->use->side);
+      result[side].before = &*edge;
+      result[(side + result.size() - 1) % result.size()].after = &*edge;
+      patchOf[side] = p;
+    }
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k].samePatch = patchOf[k] == patchOf[(k + 1) % result.size()];
+  return result;
 }
 
 }  // namespace
@@ -56,13 +64,27 @@ Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
   ConstraintSet set;
   set.fixed.assign(static_cast<std::size_t>(layout.pointCount), 0);
   set.values.setZero(layout.pointCount, 3);
-  for (const layout::LayoutPatch& patch : layout.patches) {
-    const Edges edges = constrainedEdges(loop, patch);
+  std::vector<Edges> patches;
+  for (const layout::LayoutPatch& patch : layout.patches)
+    patches.push_back(constrainedEdges(loop, patch));
+  for (const Edges& edges : patches)
     for (const auto& edge : edges)
       if (edge) fixOuterRow(*edge, set);
-    if (const auto done = constrainPatch(edges, set); !done)
-      return tl::unexpected<Error>(done.error());
+  const std::vector<Meeting> all = meetings(loop, patches);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Meeting& m = all[k];
+    auto block = m.samePatch ? cornerTwist(*m.before, *m.after)
+                             : splitTangency(*m.before, *m.after, loop.corners[k]);
+    if (block) set.blocks.push_back(std::move(*block));
   }
+  for (const Edges& edges : patches)
+    for (const auto& edge : edges) {
+      if (!edge || !edge->isTangent()) continue;
+      auto rows = tangentRows(*edge);
+      if (!rows) return tl::unexpected<Error>(rows.error());
+      set.blocks.push_back(std::move(*rows));
+    }
+  set.ties = tieSeams(layout);
   return set;
 }
 

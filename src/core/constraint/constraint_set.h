@@ -10,6 +10,7 @@ namespace fairing::constraint {
 struct ConstraintSet {
   std::vector<char> fixed;  ///< a flag per point
   solver::Points values;    ///< read where fixed
+  std::vector<solver::TieBlock> ties;
   std::vector<solver::ConstraintBlock> blocks;
 };
 

@@ -2,6 +2,7 @@
 #include "core/constraint/tangent_plane.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "core/boundary/constraint_normal.h"
 #include "core/spline/bspline_basis.h"
@@ -21,11 +22,14 @@ struct CornerNormal {
   Vector3d normal, derivative;
 };
 
-CornerNormal cornerNormal(const ConstrainedEdge& edge, bool atStart) {
+// Nothing where the side asks for no normal or its support has none.
+std::optional<CornerNormal> cornerNormal(const ConstrainedEdge& edge, bool atStart) {
+  if (!edge.isTangentAt(atStart ? 0.0 : 1.0)) return std::nullopt;
   const auto& ribbon = edge.side->ribbon;
-  const double t = edge.sideParameter(atStart ? edge.knots.first() : edge.knots.last());
-  return {constraintNormal(ribbon, t),
-          boundary::constraintNormalDerivativeAtEnd(ribbon, atStart) * edge.rate()};
+  const CornerNormal n{constraintNormal(ribbon, atStart ? 0.0 : 1.0),
+                       boundary::constraintNormalDerivativeAtEnd(ribbon, atStart) * edge.rate()};
+  if (!n.normal.allFinite() || !n.derivative.allFinite()) return std::nullopt;
+  return n;
 }
 
 Error singularAt(const ConstrainedEdge& edge, double s) {
@@ -65,26 +69,52 @@ solver::LinearRow twistRow(const CornerFrame& f, const Vector3d& normal, double 
   return {{f.inside}, {normal}, normal.dot(f.on - f.corner + f.back) - twist * f.hu * f.hv};
 }
 
+// Normals that agree but for noise are set to their mean. Whether they do.
+bool meanOfAgreeing(CornerNormal& a, CornerNormal& b) {
+  if (a.normal.dot(b.normal) < 0.0) b = {-b.normal, -b.derivative};
+  if (a.normal.cross(b.normal).norm() >= kSeparateNormals) return false;
+  a.normal = b.normal = (a.normal + b.normal).normalized();
+  return true;
+}
+
+// The derivative of R_v . n along an edge at its start or end: with the edge's poles known,
+//   sum_i (B_i' n + B_i n') . (inner_i - outer_i) = 0.
+solver::LinearRow derivativeRow(const ConstrainedEdge& edge, const CornerNormal& n, bool atStart) {
+  const spline::BasisRow basis =
+      spline::basisRow(edge.knots, atStart ? edge.knots.first() : edge.knots.last(), 1);
+  solver::LinearRow row;
+  for (int k = 0; k <= edge.knots.degree(); ++k) {
+    const int i = basis.first + k;
+    const Vector3d weight = basis.values(1, k) * n.normal + basis.values(0, k) * n.derivative;
+    if (weight.isZero(0.0)) continue;
+    row.points.push_back(edge.inner[static_cast<std::size_t>(i)]);
+    row.weights.push_back(weight);
+    row.right += weight.dot(edge.use->curve.poles.row(i));
+  }
+  return row;
+}
+
+// Rows of unit size, lest the rank depend on the knots.
+solver::LinearRow scaled(solver::LinearRow row) {
+  double largest = 0.0;
+  for (const Vector3d& w : row.weights) largest = std::max(largest, w.norm());
+  for (Vector3d& w : row.weights) w /= largest;
+  row.right /= largest;
+  return row;
+}
+
 }  // namespace
 
-Result<std::optional<solver::ConstraintBlock>> cornerTwist(const ConstrainedEdge& before,
-                                                           const ConstrainedEdge& after) {
-  if (!before.isTangent() && !after.isTangent()) return std::nullopt;
+std::optional<solver::ConstraintBlock> cornerTwist(const ConstrainedEdge& before,
+                                                   const ConstrainedEdge& after) {
   const CornerFrame f = cornerFrame(before, after);
   const Vector3d u = (f.corner - f.back) / f.hu, v = (f.on - f.corner) / f.hv;
-  solver::ConstraintBlock block;
-  block.solvedFor = {f.inside};
   std::vector<std::pair<Vector3d, double>> asked;  // normal and twist
-  if (before.isTangent()) {
-    const CornerNormal n = cornerNormal(before, false);
-    if (!n.derivative.allFinite()) return fail(singularAt(before, before.knots.last()));
-    asked.emplace_back(n.normal, -v.dot(n.derivative));
-  }
-  if (after.isTangent()) {
-    const CornerNormal n = cornerNormal(after, true);
-    if (!n.derivative.allFinite()) return fail(singularAt(after, after.knots.first()));
-    asked.emplace_back(n.normal, -u.dot(n.derivative));
-  }
+  if (const auto n = cornerNormal(before, false))
+    asked.emplace_back(n->normal, -v.dot(n->derivative));
+  if (const auto n = cornerNormal(after, true))
+    asked.emplace_back(n->normal, -u.dot(n->derivative));
+  if (asked.empty()) return std::nullopt;
   const bool two = asked.size() == 2;
   if (two && asked[0].first.dot(asked[1].first) < 0.0)
     asked[1] = {-asked[1].first, -asked[1].second};
@@ -92,7 +122,36 @@ Result<std::optional<solver::ConstraintBlock>> cornerTwist(const ConstrainedEdge
     const Vector3d normal = (asked[0].first + asked[1].first).normalized();
     asked = {{normal, 0.5 * (asked[0].second + asked[1].second)}};
   }
+  solver::ConstraintBlock block;
+  block.solvedFor = {f.inside};
   for (const auto& [normal, twist] : asked) block.rows.push_back(twistRow(f, normal, twist));
+  return block;
+}
+
+std::optional<solver::ConstraintBlock> splitTangency(const ConstrainedEdge& before,
+                                                     const ConstrainedEdge& after,
+                                                     const boundary::Corner& corner) {
+  auto a = cornerNormal(before, false), b = cornerNormal(after, true);
+  if (!a && !b) return std::nullopt;
+  if (a && b && meanOfAgreeing(*a, *b) && corner.isNearlyStraight()) {
+    const double speedBefore = before.rate() * before.side->ribbon.curve(1.0).derivative.norm();
+    const double speedAfter = after.rate() * after.side->ribbon.curve(0.0).derivative.norm();
+    const Vector3d turn = 0.5 * (a->derivative / speedBefore + b->derivative / speedAfter);
+    a->derivative = speedBefore * turn;
+    b->derivative = speedAfter * turn;
+  }
+  const std::size_t n = before.inner.size();
+  const int spoke = after.inner.front();
+  const Vector3d vertex = after.use->curve.poles.row(0);
+  solver::ConstraintBlock block;
+  block.solvedFor = {spoke, before.inner[n - 2], after.inner[1]};
+  const auto leave = [&](const Vector3d& normal) {
+    block.rows.push_back({{spoke}, {normal}, vertex.dot(normal)});
+  };
+  if (a) leave(a->normal);
+  if (b && (!a || a->normal != b->normal)) leave(b->normal);
+  if (a) block.rows.push_back(scaled(derivativeRow(before, *a, false)));
+  if (b) block.rows.push_back(scaled(derivativeRow(after, *b, true)));
   return block;
 }
 
@@ -100,10 +159,13 @@ Result<solver::ConstraintBlock> tangentRows(const ConstrainedEdge& edge) {
   solver::ConstraintBlock block;
   const int n = edge.knots.poleCount();
   const auto pole = [&](int i) { return edge.use->curve.poles.row(i); };
+  int asked = 0;
   for (int i = 2; i < n - 2; ++i) {
     const double s = edge.knots.greville(i);
+    if (!edge.isTangentAt(edge.sideParameter(s))) continue;
+    ++asked;
     const Vector3d normal = constraintNormal(edge.side->ribbon, edge.sideParameter(s));
-    if (!normal.allFinite()) return fail(singularAt(edge, s));
+    if (!normal.allFinite()) continue;
     const spline::BasisRow basis = spline::basisRow(edge.knots, s);
     solver::LinearRow row;
     for (int k = 0; k <= edge.knots.degree(); ++k) {
@@ -115,6 +177,7 @@ Result<solver::ConstraintBlock> tangentRows(const ConstrainedEdge& edge) {
     block.rows.push_back(std::move(row));
     block.solvedFor.push_back(edge.inner[static_cast<std::size_t>(i)]);
   }
+  if (asked > 0 && block.rows.empty()) return fail(singularAt(edge, edge.knots.first()));
   return block;
 }
 

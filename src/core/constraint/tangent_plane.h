@@ -18,14 +18,15 @@ struct ConstrainedEdge {
   [[nodiscard]] bool isTangent() const {
     return side->continuity != Continuity::G0 && side->ribbon.hasSupport();
   }
+  [[nodiscard]] bool isTangentAt(double sideParameter) const {
+    return isTangent() && side->continuityAt(sideParameter) != Continuity::G0;
+  }
   /// The side's parameter at a parameter of the patch.
   [[nodiscard]] double sideParameter(double s) const {
-    return use->from + (use->to - use->from) * (s - knots.first()) / (knots.last() - knots.first());
+    return (s - knots.first()) / (knots.last() - knots.first());
   }
   /// d(side parameter) / d(patch parameter).
-  [[nodiscard]] double rate() const {
-    return (use->to - use->from) / (knots.last() - knots.first());
-  }
+  [[nodiscard]] double rate() const { return 1.0 / (knots.last() - knots.first()); }
 };
 
 /// The twist of the corner where `before` ends and `after` starts, from the sides that are tangent
@@ -33,12 +34,22 @@ struct ConstrainedEdge {
 ///   R_v . n = 0 along `before` gives, differentiated, R_uv . n = -R_v . n_u; `after` gives R_uv .
 ///   n = -R_u . n_v.
 /// Where the two differ their mean is taken: each side then bears half of the error.
-[[nodiscard]] Result<std::optional<solver::ConstraintBlock>> cornerTwist(
-    const ConstrainedEdge& before, const ConstrainedEdge& after);
+[[nodiscard]] std::optional<solver::ConstraintBlock> cornerTwist(const ConstrainedEdge& before,
+                                                                 const ConstrainedEdge& after);
+
+/// The end of a seam on the loop, where `before` (of one patch) ends and `after` (of the next one)
+/// starts: the seam leaves in the tangent plane, and R_v . n = 0 holds with its derivative on
+/// either side. Normals that nearly agree count as their mean, and where the loop goes straight on,
+/// their derivatives, too: the rows are dependent then to the last bit.
+[[nodiscard]] std::optional<solver::ConstraintBlock> splitTangency(const ConstrainedEdge& before,
+                                                                   const ConstrainedEdge& after,
+                                                                   const boundary::Corner& corner);
 
 /// R_v . n = 0 along an edge, collocated at the Greville abscissae of the inner row's poles but for
 /// the two at either end: with the ends and twists known, R_v . n has a double zero at both ends
 /// already.
+/// Where the support has no normal nothing is asked. Fails with SupportNormalSingular where it has
+/// none all along.
 [[nodiscard]] Result<solver::ConstraintBlock> tangentRows(const ConstrainedEdge& edge);
 
 }  // namespace fairing::constraint

@@ -5,88 +5,55 @@
 
 #include "core/analysis/curvature.h"
 #include "core/analysis/measure_fill.h"
-#include "core/assembly/assemble_energy.h"
-#include "core/assembly/assemble_guidance.h"
+#include "core/analysis/measure_seams.h"
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
-#include "core/constraint/constraint_set.h"
+#include "core/fill/fair_shape.h"
 #include "core/fill/fill_trimmed.h"
 #include "core/fill/refine.h"
+#include "core/fill/span_hole.h"
 #include "core/layout/layouts.h"
-#include "core/solver/solve.h"
 
 // The pipeline (docs/ARCHITECTURE.md):
 //
-//   BoundaryLoop -> PatchLayout -> constraints, energy -> solver -> patches -> report --> done
-//                        ^                                                       |
-//                        +------------------ finer knots where it is over --------+
+//   BoundaryLoop -> LayoutPlan -> fair shape on few knots -+
+//                        |                                 |
+//                        +-> PatchLayout -> constraints, energy -> solver -> patches -> report ->
+//                        done
+//                                ^                                                        |
+//                                +------------------ finer knots where it is over --------+
 
 namespace fairing {
 namespace {
 
-using Patches = std::vector<spline::BsplineSurface>;
-
 // Edges that are not polynomial are fitted this much closer than the gap allowed.
-constexpr double kFitShare = 0.1;
+constexpr double kFitShare = 0.3;
 // Refinement goes on until the deviations are below this share of the limits: they are sampled, the
 // peaks lie between.
-constexpr double kAim = 0.8;
+constexpr double kAim = 0.7;
 // What an edge that lies off its face may keep of its own angle: the rest of the limit is the
 // solver's.
 constexpr double kFollowAim = 0.65;
 
-// A hole to fill: the loop as it is, which the result is measured against, and the one patches are
-// made for.
+// A hole to fill: the loop as it is, which the result is measured against, and the way it is to be
+// spanned.
 struct Hole {
   const boundary::BoundaryLoop& loop;
   boundary::BoundaryLoop target;
   analysis::LoopProbe probe;
+  layout::LayoutPlan plan;
 };
 
-Hole prepare(const boundary::BoundaryLoop& loop, const Tolerance& tolerance) {
+Result<Hole> prepare(const boundary::BoundaryLoop& loop, const FillOptions& options) {
+  const Tolerance& tolerance = options.tolerance;
   boundary::BoundaryLoop target =
       boundary::followSupports(loop,
                                kFollowAim * tolerance.angle,
                                kFollowAim * std::max(tolerance.angle, tolerance.cornerAngle));
+  auto plan = layout::planLayout(target, options.layout);
+  if (!plan) return fail(plan.error());
   analysis::LoopProbe probe = analysis::probeLoop(loop, target);
-  return {loop, std::move(target), std::move(probe)};
-}
-
-Patches makePatches(const layout::PatchLayout& layout, const solver::Points& points) {
-  Patches patches;
-  for (const layout::LayoutPatch& from : layout.patches) {
-    spline::Poles poles(static_cast<Eigen::Index>(from.points.size()), 3);
-    for (std::size_t k = 0; k < from.points.size(); ++k)
-      poles.row(static_cast<Eigen::Index>(k)) = points.row(from.points[k]);
-    patches.push_back({from.u, from.v, std::move(poles)});
-  }
-  return patches;
-}
-
-Result<solver::QuadraticProgram> makeProgram(const Hole& hole,
-                                             const layout::PatchLayout& layout,
-                                             EnergyKind energy) {
-  auto constraints = constraint::constrainSides(hole.target, layout);
-  if (!constraints) return fail(constraints.error());
-  solver::QuadraticProgram program;
-  program.stiffness = assembly::assembleEnergy(layout, energy::energyTerms(energy));
-  program.fixed = std::move(constraints->fixed);
-  program.values = std::move(constraints->values);
-  program.blocks = std::move(constraints->blocks);
-  return program;
-}
-
-// Guidance is looked up near the shape it acts on: first the fill without it, then with it.
-Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,
-                                     const layout::PatchLayout& layout,
-                                     const energy::Guidance& guidance) {
-  auto solution = solver::solve(program);
-  if (!solution || !guidance.acts()) return solution;
-  const auto guided =
-      assembly::assembleGuidance(layout, guidance, makePatches(layout, solution->points));
-  program.coupled = guided.coupled;
-  program.load = guided.load;
-  return solver::solve(program);
+  return Hole{loop, std::move(target), std::move(probe), std::move(*plan)};
 }
 
 FillResult measured(const Hole& hole,
@@ -96,8 +63,9 @@ FillResult measured(const Hole& hole,
   FillResult result;
   result.layout = layout.kind;
   result.patches = makePatches(layout, solution.points);
-  result.report =
-      analysis::measureFill(hole.loop, hole.probe, result.patches, sideTraces(layout), tolerance);
+  result.report = analysis::measureFill(
+      hole.loop, hole.probe, result.patches, sideTraces(hole.plan, layout), tolerance);
+  analysis::addSeams(result.report, result.patches, seamTraces(layout));
   for (std::size_t k = 0; k < hole.target.sides.size(); ++k)
     result.report.sides[k].followedBy = hole.target.sides[k].followedBy;
   result.reversed.assign(result.patches.size(), result.report.reversed);
@@ -111,9 +79,12 @@ FillResult measured(const Hole& hole,
 // One pass on a given layout.
 Result<FillResult> fillOn(const Hole& hole,
                           const layout::PatchLayout& layout,
+                          const std::optional<FairShape>& shape,
                           const FillOptions& options) {
   Stopwatch watch;
-  auto program = makeProgram(hole, layout, options.energy);
+  std::optional<solver::Points> target;
+  if (shape) target = pointsOn(layout, shape->patches);
+  auto program = makeProgram(hole.plan, layout, options.energy, target);
   if (!program) return fail(program.error());
   const auto solution = solveGuided(*program, layout, options.guidance);
   if (!solution) return fail(solution.error());
@@ -133,25 +104,27 @@ Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
   if (const auto wrong = validate(options)) return fail(*wrong);
   if (options.layout == LayoutKind::Trimmed) return fillTrimmed(loop, options, progress);
   Stopwatch watch;
-  const Hole hole = prepare(loop, options.tolerance);
+  const auto hole = prepare(loop, options);
+  if (!hole) return fail(hole.error());
   const double fitTolerance = kFitShare * options.tolerance.gapFor(loop.diagonal);
-  auto layout = layout::makeLayout(
-      hole.target, {options.layout, options.degree, fitTolerance, options.maxPoles});
+  auto layout = layout::makeLayout(hole->plan, {options.degree, fitTolerance, options.maxPoles});
   const double layoutTime = watch.lap();
+  const auto shape = fairShape(hole->plan, layout, options, loop.diagonal, progress);
+  if (!shape) return fail(shape.error());
+  if (*shape) layout = layout::withKnotsOf(hole->plan, layout, (*shape)->layout);
 
   std::optional<FillResult> best;
   for (int round = 0; round <= options.maxRefinements; ++round) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
-    if (!layout) return fail(layout.error());
-    if (best && layout->pointCount > options.maxPoles) break;
-    auto tried = fillOn(hole, *layout, options);
+    if (best && layout.pointCount > options.maxPoles) break;
+    auto tried = fillOn(*hole, layout, *shape, options);
     if (!tried) return tried;
     tried->summary.solves = round + 1;
-    const auto wishes = wishedKnots(*layout, tried->report, kAim);
+    const auto wishes = wishedKnots(hole->plan, layout, tried->report, kAim);
     best = best ? better(std::move(*best), std::move(*tried)) : std::move(*tried);
     if (progress) progress->setFraction((round + 1.0) / (options.maxRefinements + 1.0));
     if (nothingWished(wishes)) break;
-    layout = layout::refineLayout(hole.target, *layout, wishes);
+    layout = layout::refineLayout(hole->plan, layout, wishes);
   }
   best->report.fairness = analysis::measureFairness(best->patches);
   best->summary.layoutTime = layoutTime;

@@ -16,13 +16,13 @@ namespace fairing {
 /// Everything a caller may choose about a fill.
 struct FillOptions {
   LayoutKind layout = LayoutKind::Auto;
-  EnergyKind energy = EnergyKind::ThinPlate;
+  EnergyKind energy = EnergyKind::MeanCurvatureGradient;
   std::vector<InnerConstraint> through;  ///< what the patches must pass through
   energy::Guidance guidance;             ///< lambda, gamma and what they refer to; none by default
   Tolerance tolerance;
   int degree = 0;          ///< 0 = chosen from the edges; else 3 to 9, never below the edges' own
   int maxRefinements = 6;  ///< solves after the first one
-  int maxPoles = 10000;    ///< largest number of control points of all patches
+  int maxPoles = 2500;     ///< largest number of control points of all patches
 };
 
 /// The first thing wrong with the options, if any: ToleranceNotPositive, AngleNotPositive,

@@ -58,7 +58,7 @@ bool isTooLarge(const analysis::AnglePlace& place, const analysis::FillReport& r
 double excess(const analysis::FillReport& report) {
   constexpr double kBackwards = 1e6;
   constexpr double kTieShare = 1e-3;
-  double worst = 0.0, sum = 0.0;
+  double worst = report.largestSeamAngle / report.angleLimit, sum = worst;
   for (const analysis::SideReport& side : report.sides) {
     double own = side.gap.max / report.gapLimit;
     if (side.asked != Continuity::G0) {
@@ -75,36 +75,69 @@ double excess(const analysis::FillReport& report) {
 
 }  // namespace
 
-std::vector<analysis::SideTrace> sideTraces(const layout::PatchLayout& layout) {
+std::vector<analysis::SideTrace> sideTraces(const layout::LayoutPlan& plan,
+                                            const layout::PatchLayout& layout) {
   std::vector<analysis::SideTrace> traces;
   for (std::size_t p = 0; p < layout.patches.size(); ++p)
     for (std::size_t k = 0; k < 4; ++k) {
       const auto& use = layout.patches[p].edges[k];
       if (!use) continue;
       const EdgeEnds ends = edgeEnds(layout.patches[p], static_cast<PatchEdge>(k));
-      traces.push_back({use->side, static_cast<int>(p), use->from, use->to, ends.start, ends.end});
+      const Eigen::Vector2d way = ends.end - ends.start;
+      for (const boundary::Stretch& s : plan.cut.stretches[static_cast<std::size_t>(use->side)])
+        traces.push_back({static_cast<int>(s.edge),
+                          static_cast<int>(p),
+                          s.from,
+                          s.to,
+                          ends.start + s.start * way,
+                          ends.start + s.end * way});
     }
   return traces;
 }
 
-std::vector<KnotWish> wishedKnots(const layout::PatchLayout& layout,
+std::vector<analysis::SeamTraces> seamTraces(const layout::PatchLayout& layout) {
+  std::vector<analysis::SeamTraces> traces;
+  for (const layout::Seam& seam : layout.seams) {
+    const EdgeEnds a =
+        edgeEnds(layout.patches[static_cast<std::size_t>(seam.first)], seam.firstEdge);
+    const EdgeEnds b =
+        edgeEnds(layout.patches[static_cast<std::size_t>(seam.second)], seam.secondEdge);
+    traces.push_back({{seam.first, a.start, a.end}, {seam.second, b.end, b.start}});
+  }
+  return traces;
+}
+
+std::vector<KnotWish> wishedKnots(const layout::LayoutPlan& plan,
+                                  const layout::PatchLayout& layout,
                                   const analysis::FillReport& report,
                                   double aim) {
   std::vector<KnotWish> wishes(layout.patches.size());
   std::vector<std::set<double>> u(layout.patches.size()), v(layout.patches.size());
-  for (const analysis::SideTrace& trace : sideTraces(layout)) {
+  for (const analysis::SideTrace& trace : sideTraces(plan, layout)) {
     const auto p = static_cast<std::size_t>(trace.patch);
     const analysis::SideReport& side = report.sides[static_cast<std::size_t>(trace.side)];
     if (side.asked == Continuity::G0) continue;
     const bool alongU = trace.start[1] == trace.end[1];
     for (const analysis::AnglePlace& place : side.angleCurve) {
-      if (!isTooLarge(place, report, aim)) continue;
+      if (place.t < trace.from || place.t > trace.to || !isTooLarge(place, report, aim)) continue;
       const Eigen::Vector2d at = trace.at(place.t);
       if (alongU)
         wishMiddle(layout.patches[p].u, at[0], u[p]);
       else
         wishMiddle(layout.patches[p].v, at[1], v[p]);
     }
+  }
+  const auto seams = seamTraces(layout);
+  for (std::size_t k = 0; k < seams.size(); ++k) {
+    if (report.seams[k].angle.max <= aim * report.angleLimit) continue;
+    const analysis::SeamTrace& trace = seams[k].first;
+    const auto p = static_cast<std::size_t>(trace.patch);
+    const Eigen::Vector2d at =
+        trace.start + report.seams[k].angle.parameter * (trace.end - trace.start);
+    if (layout::directionOf(layout.seams[k].firstEdge) == 0)
+      wishMiddle(layout.patches[p].u, at[0], u[p]);
+    else
+      wishMiddle(layout.patches[p].v, at[1], v[p]);
   }
   for (std::size_t p = 0; p < wishes.size(); ++p) {
     wishes[p].u.assign(u[p].begin(), u[p].end());

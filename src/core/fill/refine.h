@@ -3,18 +3,24 @@
 #include <vector>
 
 #include "core/analysis/measure_fill.h"
+#include "core/analysis/measure_seams.h"
 #include "core/fill/fill_hole.h"
 #include "core/layout/layouts.h"
 
 namespace fairing {
 
-/// Where the sides run on the patches of a layout.
-[[nodiscard]] std::vector<analysis::SideTrace> sideTraces(const layout::PatchLayout& layout);
+/// Where the sides of the loop that was cut run on the patches of a layout.
+[[nodiscard]] std::vector<analysis::SideTrace> sideTraces(const layout::LayoutPlan& plan,
+                                                          const layout::PatchLayout& layout);
+
+/// Where the seams run.
+[[nodiscard]] std::vector<analysis::SeamTraces> seamTraces(const layout::PatchLayout& layout);
 
 /// The knots that would help most: the middle of every span next to which a side is over `aim`
 /// times a limit of the report, but for what is the edge's own fault. Spans at corners whose twists
 /// disagree are halved again and again, which grades the knots towards them with ratio 1/2.
-[[nodiscard]] std::vector<layout::KnotWish> wishedKnots(const layout::PatchLayout& layout,
+[[nodiscard]] std::vector<layout::KnotWish> wishedKnots(const layout::LayoutPlan& plan,
+                                                        const layout::PatchLayout& layout,
                                                         const analysis::FillReport& report,
                                                         double aim);
 [[nodiscard]] bool nothingWished(const std::vector<layout::KnotWish>& wishes);

@@ -4,51 +4,137 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/layout/build_layout.h"
+#include "core/layout/loop_corners.h"
+#include "core/layout/o_grid.h"
 #include "core/layout/quad.h"
+#include "core/layout/side_curves.h"
+#include "core/layout/star.h"
 
 namespace fairing::layout {
 namespace {
 
-// The longest a direction may become before the patch is too large.
-int mostPolesAlong(int maxPoles) {
-  return std::max(8, static_cast<int>(std::sqrt(maxPoles)));
+using spline::KnotVector;
+
+constexpr int kMostSides = 64;
+constexpr double kMostCoarseSpans = 6.0;
+// Knots of one strip closer than this are one.
+constexpr double kSameKnot = 1e-7;
+
+// The longest a direction may become before the patches are too large.
+int mostPolesAlong(int maxPoles, std::size_t patches) {
+  return std::max(8, static_cast<int>(std::sqrt(maxPoles / static_cast<double>(patches))));
 }
 
-spline::KnotVector withKnots(spline::KnotVector knots, const std::vector<double>& added) {
-  for (const double t : added) knots = knots.withKnot(t);
-  return knots.mapped(0.0, 1.0);
+// The sides that run along every strip, in its direction.
+std::vector<std::vector<DirectedSide>> sidesAlongStrips(const LayoutPlan& plan,
+                                                        const Strips& strips) {
+  std::vector<std::vector<DirectedSide>> along(static_cast<std::size_t>(strips.count));
+  for (std::size_t q = 0; q < plan.mesh.quads.size(); ++q)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int side = plan.mesh.quads[q].sides[k];
+      if (side < 0) continue;
+      const StripUse use = strips.uses[q][k % 2];
+      along[static_cast<std::size_t>(use.strip)].push_back(
+          {&plan.cut.loop.sides[static_cast<std::size_t>(side)],
+           falls(kPatchEdges[k]) != use.reversed});
+    }
+  return along;
 }
 
 }  // namespace
 
-Result<PatchLayout> makeLayout(const boundary::BoundaryLoop& loop, const LayoutOptions& options) {
-  switch (options.kind) {
-    case LayoutKind::Auto:
-    case LayoutKind::Quad:
-    default:
-      break;
-  }
-  if (loop.sides.size() != 4)
-    return fail(
-        {ErrorCode::WrongSideCount, 0, 0, std::nullopt, static_cast<double>(loop.sides.size())});
-  return quadLayout(
-      loop,
-      chooseQuadKnots(
-          loop, options.degree, options.fitTolerance, mostPolesAlong(options.maxPoles)));
+LayoutKind suitableKind(const boundary::BoundaryLoop& loop) {
+  const auto roles = cornerRoles(loop);
+  const auto corners = std::count(roles.begin(), roles.end(), CornerRole::Corner);
+  const auto splits = std::count(roles.begin(), roles.end(), CornerRole::Split);
+  if (corners == 4 && splits == 0) return LayoutKind::Quad;
+  if (corners >= 3) return LayoutKind::Star;
+  return LayoutKind::OGrid;
 }
 
-Result<PatchLayout> refineLayout(const boundary::BoundaryLoop& loop,
-                                 const PatchLayout& layout,
-                                 const std::vector<KnotWish>& wishes) {
-  switch (layout.kind) {
+Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kind) {
+  if (loop.sides.size() > kMostSides)
+    return fail({.code = ErrorCode::TooManySides, .value = static_cast<double>(loop.sides.size())});
+  const auto roles = cornerRoles(loop);
+  switch (kind) {
     case LayoutKind::Auto:
+      return planLayout(loop, suitableKind(loop));
     case LayoutKind::Quad:
-    default:
+      return quadPlan(loop, roles);
+    case LayoutKind::Star:
+      return starPlan(loop, roles);
+    case LayoutKind::OGrid:
+      return oGridPlan(loop, roles);
+    case LayoutKind::Trimmed:
       break;
   }
-  const LayoutPatch& patch = layout.patches.front();
-  return quadLayout(loop,
-                    {withKnots(patch.u, wishes.front().u), withKnots(patch.v, wishes.front().v)});
+  return fail({.code = ErrorCode::LayoutUnfit, .detail = "trimmed"});
+}
+
+PatchLayout makeLayout(const LayoutPlan& plan, const LayoutOptions& options) {
+  const Strips strips = stripsOf(plan.mesh);
+  const int most = mostPolesAlong(options.maxPoles, plan.mesh.quads.size());
+  std::vector<KnotVector> knots;
+  for (const auto& sides : sidesAlongStrips(plan, strips))
+    knots.push_back(plan.kind == LayoutKind::Quad
+                        ? chooseKnots(sides, options.degree, options.fitTolerance, most)
+                        : fittingKnots(sides, options.degree, options.fitTolerance, most));
+  return buildLayout(plan, std::move(knots));
+}
+
+PatchLayout coarseLayout(const LayoutPlan& plan,
+                         const PatchLayout& layout,
+                         const CoarseOptions& options) {
+  std::vector<KnotVector> knots(layout.stripKnots.size());
+  for (std::size_t q = 0; q < layout.patches.size(); ++q)
+    for (std::size_t d = 0; d < 2; ++d) {
+      const KnotVector& own = d == 0 ? layout.patches[q].u : layout.patches[q].v;
+      const double wish = std::ceil(options.density * (own.last() - own.first()) - 0.25);
+      const int spans = static_cast<int>(std::clamp(wish, 1.0, kMostCoarseSpans));
+      std::vector<double> breaks;
+      for (int k = 0; k <= spans; ++k) breaks.push_back(static_cast<double>(k) / spans);
+      knots[static_cast<std::size_t>(layout.strips.uses[q][d].strip)] =
+          KnotVector::fromBreaks(own.degree(), breaks);
+    }
+  const auto sides = sidesAlongStrips(plan, layout.strips);
+  for (std::size_t s = 0; s < knots.size(); ++s)
+    knots[s] = refinedToFit(sides[s], knots[s], options.fitTolerance, options.mostPolesAlong);
+  return buildLayout(plan, std::move(knots));
+}
+
+PatchLayout withKnotsOf(const LayoutPlan& plan,
+                        const PatchLayout& layout,
+                        const PatchLayout& other) {
+  std::vector<KnotVector> knots = layout.stripKnots;
+  for (std::size_t s = 0; s < knots.size(); ++s) {
+    const KnotVector& own = other.stripKnots[s];
+    const int p = std::max(knots[s].degree(), own.degree());
+    knots[s] =
+        merged(own.raised(p - own.degree()), knots[s].raised(p - knots[s].degree()), kSameKnot);
+  }
+  return buildLayout(plan, std::move(knots));
+}
+
+PatchLayout refineLayout(const LayoutPlan& plan,
+                         const PatchLayout& layout,
+                         const std::vector<KnotWish>& wishes) {
+  std::vector<KnotVector> knots = layout.stripKnots;
+  for (std::size_t q = 0; q < wishes.size(); ++q)
+    for (std::size_t d = 0; d < 2; ++d) {
+      const StripUse use = layout.strips.uses[q][d];
+      const KnotVector& own = d == 0 ? layout.patches[q].u : layout.patches[q].v;
+      KnotVector& strip = knots[static_cast<std::size_t>(use.strip)];
+      for (const double wish : d == 0 ? wishes[q].u : wishes[q].v) {
+        const double t = (wish - own.first()) / (own.last() - own.first());
+        const double place = use.reversed ? 1.0 - t : t;
+        const auto& all = strip.knots();
+        const bool isKnot = std::any_of(
+            all.begin(), all.end(), [&](double k) { return std::abs(k - place) < kSameKnot; });
+        if (!isKnot) strip = strip.withKnot(place);
+      }
+    }
+  return buildLayout(plan, std::move(knots));
 }
 
 }  // namespace fairing::layout

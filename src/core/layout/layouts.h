@@ -3,21 +3,44 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/layout/layout_plan.h"
 #include "core/layout/patch_layout.h"
 
 namespace fairing::layout {
 
+/// The kind that suits a loop: quad for four corners, star for three or more, o-grid for two or
+/// fewer, trimmed where none of these has a place for every corner.
+[[nodiscard]] LayoutKind suitableKind(const boundary::BoundaryLoop& loop);
+
+/// How a loop is spanned by a kind; the one list of the choices. Auto takes the suitable one. Fails
+/// with TooManySides, and WrongSideCount or LayoutUnfit where the kind does not suit the loop.
+[[nodiscard]] Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kind);
+
 struct LayoutOptions {
-  LayoutKind kind = LayoutKind::Auto;
   int degree = 0;             ///< 0 = chosen from the sides
   double fitTolerance = 0.0;  ///< mm, for sides that are not polynomial
   int maxPoles = 10000;       ///< of all patches
 };
 
-/// The coarsest layout of the asked kind; the one list of the choices. Auto takes the kind that
-/// suits the loop.
-[[nodiscard]] Result<PatchLayout> makeLayout(const boundary::BoundaryLoop& loop,
-                                             const LayoutOptions& options);
+/// The coarsest patches on which the sides can be written.
+[[nodiscard]] PatchLayout makeLayout(const LayoutPlan& plan, const LayoutOptions& options);
+
+struct CoarseOptions {
+  double density = 3.0;       ///< spans over a length equal to the square root of the hole's area
+  double fitTolerance = 0.0;  ///< mm, of the sides
+  int mostPolesAlong = 14;    ///< where the sides ask for more knots than the density
+};
+
+/// Patches of the same degrees with as few spans as the options ask for.
+[[nodiscard]] PatchLayout coarseLayout(const LayoutPlan& plan,
+                                       const PatchLayout& layout,
+                                       const CoarseOptions& options);
+
+/// The same layout with the knots of another of the same plan added, degrees raised to the higher
+/// ones.
+[[nodiscard]] PatchLayout withKnotsOf(const LayoutPlan& plan,
+                                      const PatchLayout& layout,
+                                      const PatchLayout& other);
 
 /// Knots to add to one patch, in its parameters.
 struct KnotWish {
@@ -25,9 +48,9 @@ struct KnotWish {
   [[nodiscard]] bool empty() const { return u.empty() && v.empty(); }
 };
 
-/// The same layout on finer knots, a wish per patch.
-[[nodiscard]] Result<PatchLayout> refineLayout(const boundary::BoundaryLoop& loop,
-                                               const PatchLayout& layout,
-                                               const std::vector<KnotWish>& wishes);
+/// The same layout on finer knots, a wish per patch; patches of one strip share them.
+[[nodiscard]] PatchLayout refineLayout(const LayoutPlan& plan,
+                                       const PatchLayout& layout,
+                                       const std::vector<KnotWish>& wishes);
 
 }  // namespace fairing::layout

@@ -5,6 +5,18 @@
 
 namespace fairing::layout {
 
+SeamFrame Seam::frame(double t) const {
+  const SeamFrame &a = frames[0], &b = frames[1];
+  const double s = 1.0 - t;
+  return {
+      s * a.first + t * b.first, s * a.second + t * b.second, s * s * a.along + t * t * b.along};
+}
+
+SeamFrame Seam::frameDerivative(double t) const {
+  const SeamFrame &a = frames[0], &b = frames[1];
+  return {b.first - a.first, b.second - a.second, 2.0 * (t * b.along - (1.0 - t) * a.along)};
+}
+
 std::vector<int> edgePoints(const LayoutPatch& patch, PatchEdge edge, int row) {
   const int nu = patch.u.poleCount(), nv = patch.v.poleCount();
   const bool alongU = edge == PatchEdge::South || edge == PatchEdge::North;
@@ -15,8 +27,7 @@ std::vector<int> edgePoints(const LayoutPatch& patch, PatchEdge edge, int row) {
     const int i = alongU ? k : across, j = alongU ? across : k;
     result.push_back(patch.points[static_cast<std::size_t>(i * nv + j)]);
   }
-  const bool falls = edge == PatchEdge::North || edge == PatchEdge::West;
-  if (falls) std::reverse(result.begin(), result.end());
+  if (falls(edge)) std::reverse(result.begin(), result.end());
   return result;
 }
 
@@ -32,6 +43,15 @@ spline::KnotVector edgeKnots(const LayoutPatch& patch, PatchEdge edge) {
       break;
   }
   return patch.v.reversed();
+}
+
+double crossStep(const LayoutPatch& patch, PatchEdge edge) {
+  const spline::KnotVector& knots = directionOf(edge) == 0 ? patch.v : patch.u;
+  const auto& t = knots.knots();
+  const auto p = static_cast<std::size_t>(knots.degree());
+  const bool farSide = edge == PatchEdge::East || edge == PatchEdge::North;
+  const double span = farSide ? t.back() - t[t.size() - p - 2] : t[p + 1] - t.front();
+  return span / (knots.last() - knots.first()) / knots.degree();
 }
 
 }  // namespace fairing::layout

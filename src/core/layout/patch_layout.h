@@ -6,46 +6,60 @@
 
 #include "core/boundary/boundary_loop.h"
 #include "core/layout/layout_kind.h"
+#include "core/layout/quad_mesh.h"
 #include "core/spline/bspline_curve.h"
 #include "core/spline/knot_vector.h"
 
 namespace fairing::layout {
 
-// The four edges of a patch, in the order and direction of its border:
-//
-//        North (u falls)
-//     +------<------+
-//     |             |
-//  W  v             ^  East (v rises)
-//     |             |
-//     +------>------+
-//        South (u rises)
-enum class PatchEdge { South, East, North, West };
-
-/// The stretch [from, to] of a side's parameter that a patch edge covers, along the border's
-/// direction.
+/// The side of the loop that a patch edge covers.
 struct SideUse {
   int side = 0;
-  double from = 0.0, to = 1.0;
-  /// The stretch as a curve on the patch's knots in the border's direction (domain as wide as the
+  /// The side as a curve on the patch's knots in the border's direction (domain as wide as the
   /// patch's).
   spline::BsplineCurve curve;
 };
 
 /// One patch: its knots, over [0, width] x [0, height], domains that have the proportions of the
-/// hole and an area of about 1, so that energies neither depend on the model's size nor on which
-/// direction is called u.
+/// hole, all patches together an area of about 1, so that energies neither depend on the model's
+/// size nor on which direction is called u.
 struct LayoutPatch {
   spline::KnotVector u, v;
   std::array<std::optional<SideUse>, 4> edges;  ///< by PatchEdge; empty = a seam
   std::vector<int> points;  ///< number of the unknown behind pole (i, j), at i * v.poleCount() + j
 };
 
+/// How two patches leave one end of their seam. Derivatives are with respect to parameters that run
+/// from 0 to 1 over a patch: across the seam into the first patch D1, into the second D2, along it
+/// R_t. Their tangent planes agree where
+///   first * D1 + second * D2 = along * R_t.
+struct SeamFrame {
+  double first = 1.0, second = 1.0, along = 0.0;
+};
+
+/// Two patches that share an edge. It runs in the border direction of the first.
+struct Seam {
+  int first = 0, second = 0;
+  PatchEdge firstEdge = PatchEdge::South, secondEdge = PatchEdge::South;
+  std::array<int, 2> vertices{};    ///< of the mesh, at the start and at the end
+  std::array<char, 2> inside{};     ///< whether that vertex lies inside the hole
+  std::array<SeamFrame, 2> frames;  ///< at the start and at the end
+
+  /// The frame at t in [0, 1]: `first` and `second` linear, `along` as
+  /// start (1 - t)^2 + end t^2.
+  [[nodiscard]] SeamFrame frame(double t) const;
+  /// Its derivative.
+  [[nodiscard]] SeamFrame frameDerivative(double t) const;
+};
+
 /// How patches span a loop: who covers what, on which knots, with which unknowns.
 struct PatchLayout {
   LayoutKind kind = LayoutKind::Quad;
   std::vector<LayoutPatch> patches;
-  int pointCount = 0;  ///< unknown control points, shared ones counted once
+  std::vector<Seam> seams;
+  Strips strips;
+  std::vector<spline::KnotVector> stripKnots;  ///< over [0, 1]
+  int pointCount = 0;                          ///< unknown control points, shared ones counted once
   /// Largest distance between a side and the curve that stands for it, mm; 0 where taken over
   /// exactly.
   double curveDeviation = 0.0;
@@ -57,5 +71,10 @@ struct PatchLayout {
 
 /// The knots along a patch edge in the border's direction.
 [[nodiscard]] spline::KnotVector edgeKnots(const LayoutPatch& patch, PatchEdge edge);
+
+/// Where row 1 lies beside a patch edge: its distance from row 0 in the parameter across, over the
+/// patch's width there, times the degree's reciprocal is what divides their difference to give the
+/// derivative across with respect to a parameter from 0 to 1.
+[[nodiscard]] double crossStep(const LayoutPatch& patch, PatchEdge edge);
 
 }  // namespace fairing::layout

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include "core/base/result.h"
-#include "core/layout/patch_layout.h"
+#include "core/layout/layout_plan.h"
+#include "core/layout/loop_corners.h"
 
 namespace fairing::layout {
 
-/// Knots on [0, 1] of a four-sided patch, u along sides 0 and 2, v along sides 1 and 3.
-struct QuadKnots {
-  spline::KnotVector u, v;
-};
-
-/// The coarsest knots on which the four sides can be written (chooseKnots in side_curves.h).
-[[nodiscard]] QuadKnots chooseQuadKnots(const boundary::BoundaryLoop& loop,
-                                        int degree,
-                                        double fitTolerance,
-                                        int maxPoles);
-
-/// One patch between four sides: side 0 South, 1 East, 2 North, 3 West. Fails with WrongSideCount.
-[[nodiscard]] Result<PatchLayout> quadLayout(const boundary::BoundaryLoop& loop,
-                                             const QuadKnots& knots);
+/// One patch between four corners: side 0 South, 1 East, 2 North, 3 West. Every place that is not
+/// smooth is a corner. Fails with WrongSideCount, value = number of corners.
+[[nodiscard]] Result<LayoutPlan> quadPlan(const boundary::BoundaryLoop& loop,
+                                          const std::vector<CornerRole>& roles);
 
 }  // namespace fairing::layout

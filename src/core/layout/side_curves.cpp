@@ -71,6 +71,18 @@ KnotVector breakKnots(const DirectedSide& s, int degree) {
   return knots;
 }
 
+// Whether a curve can be taken over at degree p without multiplying the patch's poles.
+bool isCheap(const BsplineCurve& curve, int p) {
+  return curve.knots.degree() <= p &&
+         curve.knots.raised(p - curve.knots.degree()).poleCount() <= kMostPolesToRaise;
+}
+
+// Whether every knot of `coarse` is one of `fine`, as often.
+bool holds(const KnotVector& fine, const KnotVector& coarse) {
+  return std::includes(
+      fine.knots().begin(), fine.knots().end(), coarse.knots().begin(), coarse.knots().end());
+}
+
 }  // namespace
 
 KnotVector chooseKnots(const std::vector<DirectedSide>& sides,
@@ -97,10 +109,43 @@ KnotVector chooseKnots(const std::vector<DirectedSide>& sides,
   return spline::knotsThatFit(given, knots, fitTolerance, maxPoles);
 }
 
+KnotVector fittingKnots(const std::vector<DirectedSide>& sides,
+                        int degree,
+                        double fitTolerance,
+                        int maxPoles) {
+  int p = std::max(kPreferredDegree, degree);
+  for (const DirectedSide& s : sides)
+    if (const auto exact = exactCurve(s); exact && isCheap(*exact, exact->knots.degree()))
+      p = std::max(p, exact->knots.degree());
+  KnotVector knots = KnotVector::bezier(p);
+  std::vector<spline::CurveFunction> given;
+  for (const DirectedSide& s : sides) {
+    const auto exact = exactCurve(s);
+    if (exact && isCheap(*exact, p)) {
+      knots = merged(knots, exact->knots.raised(p - exact->knots.degree()), kSameKnot);
+      continue;
+    }
+    if (!exact) knots = merged(knots, breakKnots(s, p), kSameKnot);
+    given.push_back(curveFunction(s));
+  }
+  return spline::knotsThatFit(given, knots, fitTolerance, maxPoles);
+}
+
+KnotVector refinedToFit(const std::vector<DirectedSide>& sides,
+                        const KnotVector& knots,
+                        double tolerance,
+                        int maxPoles) {
+  std::vector<spline::CurveFunction> given;
+  for (const DirectedSide& s : sides) given.push_back(curveFunction(s));
+  return spline::knotsThatFit(given, knots, tolerance, maxPoles);
+}
+
 SideCurve curveOnKnots(const DirectedSide& side, const KnotVector& knots) {
-  if (const auto exact = exactCurve(side)) {
-    const BsplineCurve raised = raiseDegree(*exact, knots.degree() - exact->knots.degree());
-    return {refinedTo(snapped(raised, knots), knots), 0.0};
+  const auto exact = exactCurve(side);
+  if (exact && knots.degree() >= exact->knots.degree()) {
+    const BsplineCurve raised =
+        snapped(raiseDegree(*exact, knots.degree() - exact->knots.degree()), knots);
+    if (holds(knots, raised.knots)) return {refinedTo(raised, knots), 0.0};
   }
   const spline::CurveFit fit = spline::fitCurve(curveFunction(side), knots);
   return {fit.curve, fit.error()};

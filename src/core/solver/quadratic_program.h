@@ -16,6 +16,20 @@ struct LinearRow {
   double right = 0.0;
 };
 
+/// sum_k weights[k] * point(points[k]) = right, the same for the three coordinates.
+struct TieRow {
+  std::vector<int> points;
+  std::vector<double> weights;
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+};
+
+/// Ties that are solved for some of their points, the rest being handed through. A block may use
+/// points that earlier ones have solved for, but not solve for points those have handed through.
+struct TieBlock {
+  std::vector<TieRow> rows;
+  std::vector<int> solvedFor;
+};
+
 /// Rows that are solved for the coordinates of some points of their own, the rest of the points
 /// being handed through. A block may use points that earlier blocks have solved for, but not solve
 /// for points those blocks have used.
@@ -27,13 +41,15 @@ struct ConstraintBlock {
 /// Minimises over n points x_i in space
 ///   1/2 sum_ij stiffness_ij x_i . x_j + 1/2 X' coupled X - load . X      X = (x_0, y_0, z_0, x_1,
 ///   ...)
-/// subject to x_i = values_i where fixed, and to the rows of the blocks.
+/// subject to x_i = values_i where fixed, to the ties, and to the rows of the blocks, in this
+/// order.
 struct QuadraticProgram {
   Sparse stiffness;         ///< n x n, symmetric: the same for the three coordinates
   Sparse coupled;           ///< 3n x 3n, symmetric, or empty: what couples the coordinates
   Eigen::VectorXd load;     ///< 3n, or empty
   std::vector<char> fixed;  ///< n flags
   Points values;            ///< n x 3, read where fixed
+  std::vector<TieBlock> ties;
   std::vector<ConstraintBlock> blocks;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/solver/eliminate_constraints.h"
 #include "core/solver/solve_uncoupled.h"
+#include "core/solver/tie_points.h"
 
 // Minimise 1/2 X'KX - f'X over X = x0 + T y:   (T'KT) y = T'(f - K x0).   [NocedalWright2006]
 // section 16.2
@@ -15,21 +16,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-Sparse fullStiffness(const QuadraticProgram& program) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * static_cast<std::size_t>(program.stiffness.nonZeros()));
-  for (int j = 0; j < program.stiffness.outerSize(); ++j)
-    for (Sparse::InnerIterator it(program.stiffness, j); it; ++it)
-      for (int c = 0; c < 3; ++c)
-        entries.emplace_back(3 * static_cast<int>(it.row()) + c, 3 * j + c, it.value());
-  const Eigen::Index n = 3 * program.stiffness.rows();
-  Sparse full(n, n);
-  full.setFromTriplets(entries.begin(), entries.end());
-  return full + program.coupled;
-}
-
 Result<Points> solveCoupled(const QuadraticProgram& program, const AffineSpace& space) {
-  const Sparse stiffness = fullStiffness(program);
+  const Sparse stiffness = threefold(program.stiffness) + program.coupled;
   const Sparse reduced = space.basis.transpose() * stiffness * space.basis;
   VectorXd right = -(stiffness * space.offset);
   if (program.load.size() > 0) right += program.load;
@@ -39,9 +27,7 @@ Result<Points> solveCoupled(const QuadraticProgram& program, const AffineSpace& 
   return Points(Eigen::Map<const Points>(x.data(), x.size() / 3, 3));
 }
 
-}  // namespace
-
-Result<Solution> solve(const QuadraticProgram& program) {
+Result<Solution> solveUntied(const QuadraticProgram& program) {
   const AffineSpace space = eliminateConstraints(program);
   const bool coupled = program.coupled.nonZeros() > 0;
   const Result<Points> points =
@@ -49,6 +35,24 @@ Result<Solution> solve(const QuadraticProgram& program) {
   if (!points) return tl::unexpected<Error>(points.error());
   if (!points->allFinite()) return fail({ErrorCode::NotFinite});
   return Solution{*points, static_cast<int>(space.basis.cols()), space.rows, space.residual};
+}
+
+}  // namespace
+
+Result<Solution> solve(const QuadraticProgram& program) {
+  if (program.ties.empty()) return solveUntied(program);
+  const TiedPoints tied = tiePoints(program);
+  auto solution = solveUntied(withoutTies(program, tied));
+  if (!solution) return solution;
+  solution->points = Points(tied.basis * solution->points + tied.offset);
+  solution->constraints += 3 * static_cast<int>(tied.basis.rows() - tied.basis.cols());
+  solution->residual = std::max(solution->residual, tied.residual);
+  return solution;
+}
+
+Sparse freedomOf(const QuadraticProgram& program) {
+  const TiedPoints tied = tiePoints(program);
+  return threefold(tied.basis) * eliminateConstraints(withoutTies(program, tied)).basis;
 }
 
 double energy(const QuadraticProgram& program, const Points& points) {

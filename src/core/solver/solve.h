@@ -16,6 +16,9 @@ struct Solution {
 /// with SystemSingular or NotFinite.
 [[nodiscard]] Result<Solution> solve(const QuadraticProgram& program);
 
+/// Directions in which a solution may move without leaving the constraints: 3n x m.
+[[nodiscard]] Sparse freedomOf(const QuadraticProgram& program);
+
 /// 1/2 sum stiffness_ij x_i . x_j at given points: the energy without what couples or loads them.
 [[nodiscard]] double energy(const QuadraticProgram& program, const Points& points);
 

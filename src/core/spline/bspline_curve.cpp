@@ -80,4 +80,21 @@ BsplineCurve raiseDegree(const BsplineCurve& curve, int times) {
   return result;
 }
 
+BsplineCurve stretchOf(const BsplineCurve& curve, double from, double to) {
+  const int p = curve.knots.degree();
+  BsplineCurve stretch;
+  std::vector<double> knots(static_cast<std::size_t>(p) + 1, from);
+  for (const double t : curve.knots.knots())
+    if (from < t && t < to) knots.push_back(t);
+  knots.insert(knots.end(), static_cast<std::size_t>(p) + 1, to);
+  stretch.knots = KnotVector(p, knots);
+  stretch.poles.resize(stretch.knots.poleCount(), 3);
+  for (int i = 0; i < stretch.knots.poleCount(); ++i) {
+    const int span = curve.knots.span(knots[static_cast<std::size_t>(i)]);
+    stretch.poles.row(i) = blossom(curve, span, innerKnots(stretch.knots, i)).transpose();
+  }
+  stretch.knots = stretch.knots.mapped(0.0, 1.0);
+  return stretch;
+}
+
 }  // namespace fairing::spline

@@ -26,5 +26,7 @@ struct BsplineCurve {
 [[nodiscard]] BsplineCurve refinedTo(const BsplineCurve& curve, const KnotVector& finer);
 /// The same curve with its degree raised by `times`.
 [[nodiscard]] BsplineCurve raiseDegree(const BsplineCurve& curve, int times);
+/// The stretch [from, to] of the curve's domain, from < to, as a curve over [0, 1].
+[[nodiscard]] BsplineCurve stretchOf(const BsplineCurve& curve, double from, double to);
 
 }  // namespace fairing::spline

@@ -12,6 +12,11 @@
 namespace fairing::spline {
 namespace {
 
+// Spans much better than the worst one wait: their error may be its doing.
+constexpr double kWorthShare = 0.05;
+// Spans shorter than this share of the curve are not bisected: what is left there is a kink.
+constexpr double kShortestSpan = 2e-3;
+
 // The two poles at either end, from end point and end derivative.
 void setEnds(const CurveFunction& given, BsplineCurve& curve) {
   const KnotVector& k = curve.knots;
@@ -80,8 +85,12 @@ KnotVector knotsThatFit(const std::vector<CurveFunction>& given,
       for (std::size_t s = 0; s < errors.size(); ++s) errors[s] = std::max(errors[s], own[s]);
     }
     KnotVector finer = knots;
+    const double shortest = kShortestSpan * (knots.last() - knots.first());
+    const double worth =
+        std::max(tolerance, kWorthShare * *std::max_element(errors.begin(), errors.end()));
     for (std::size_t s = 0; s < errors.size(); ++s)
-      if (errors[s] > tolerance) finer = finer.withKnot(0.5 * (breaks[s] + breaks[s + 1]));
+      if (errors[s] > worth && breaks[s + 1] - breaks[s] > shortest)
+        finer = finer.withKnot(0.5 * (breaks[s] + breaks[s + 1]));
     if (finer == knots || finer.poleCount() > maxPoles) return knots;
     knots = std::move(finer);
   }

@@ -26,10 +26,11 @@ struct Plate {
 
 Plate plateOn(const BoundaryLoop& loop) {
   Plate plate;
-  const auto coarse = layout::makeLayout(loop, {LayoutKind::Quad, 5, 1e-8 * loop.diagonal, 10000});
-  const auto& first = coarse->patches[0];
+  const auto plan = layout::planLayout(loop, LayoutKind::Quad);
+  const auto coarse = layout::makeLayout(*plan, {5, 1e-8 * loop.diagonal, 10000});
+  const auto& first = coarse.patches[0];
   plate.layout =
-      *layout::refineLayout(loop, *coarse, {{{0.45 * first.u.last()}, {0.55 * first.v.last()}}});
+      layout::refineLayout(*plan, coarse, {{{0.45 * first.u.last()}, {0.55 * first.v.last()}}});
   const ConstraintSet set = *constrainSides(loop, plate.layout);
   solver::QuadraticProgram program;
   program.stiffness = assembly::assembleEnergy(plate.layout, energy::thinPlate());
@@ -99,8 +100,8 @@ TEST(ConstrainSides, G0SidesLeaveTheInnerRowFree) {
   Sides sides = sidesOf(waves(), unitSquare());
   for (auto& side : sides) side.continuity = Continuity::G0;
   const BoundaryLoop loop = finished(sides);
-  const auto layout = layout::makeLayout(loop, {LayoutKind::Quad, 5, 1e-6, 1000});
-  const auto set = constrainSides(loop, *layout);
+  const auto plan = layout::planLayout(loop, LayoutKind::Quad);
+  const auto set = constrainSides(loop, layout::makeLayout(*plan, {5, 1e-6, 1000}));
   ASSERT_TRUE(set.has_value());
   EXPECT_TRUE(set->blocks.empty());
 }
@@ -119,8 +120,8 @@ TEST(ConstrainSides, ASupportWithoutNormalIsReported) {
   boundary::BoundaryLoop loop;
   loop = loopOf(waves(), unitSquare());
   loop.sides[1].ribbon.support = sides[1].ribbon.support;
-  const auto layout = layout::makeLayout(loop, {LayoutKind::Quad, 5, 1e-6, 1000});
-  const auto set = constrainSides(loop, *layout);
+  const auto plan = layout::planLayout(loop, LayoutKind::Quad);
+  const auto set = constrainSides(loop, layout::makeLayout(*plan, {5, 1e-6, 1000}));
   ASSERT_THAT(set, FailsWith(ErrorCode::SupportNormalSingular));
   EXPECT_EQ(set.error().edge, loop.sides[1].edge);
 }

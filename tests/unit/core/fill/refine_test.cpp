@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/layout/quad.h"
+#include "core/layout/build_layout.h"
 #include "support/known_loops.h"
 
 namespace fairing {
@@ -13,9 +13,14 @@ using namespace ::fairing::testing;  // NOLINT: the whole vocabulary of known lo
 using ::testing::DoubleNear;
 using ::testing::Pointwise;
 
+const layout::LayoutPlan& square() {
+  static const auto plan = *layout::planLayout(loopOf(plane(), unitSquare()), LayoutKind::Quad);
+  return plan;
+}
+
 layout::PatchLayout quadWith(const std::vector<double>& breaks) {
   const auto knots = spline::KnotVector::fromBreaks(5, breaks);
-  return *layout::quadLayout(loopOf(plane(), unitSquare()), {knots, knots});
+  return layout::buildLayout(square(), {knots, knots});
 }
 
 analysis::FillReport reportWith(std::size_t side, std::vector<analysis::AnglePlace> places) {
@@ -29,7 +34,7 @@ analysis::FillReport reportWith(std::size_t side, std::vector<analysis::AnglePla
 }
 
 TEST(SideTraces, RunRoundTheDomainHeadToTail) {
-  const auto traces = sideTraces(quadWith({0.0, 1.0}));
+  const auto traces = sideTraces(square(), quadWith({0.0, 1.0}));
   ASSERT_EQ(traces.size(), 4U);
   EXPECT_EQ(traces[0].start, Eigen::Vector2d(0.0, 0.0));
   for (std::size_t k = 0; k < 4; ++k) {
@@ -39,41 +44,44 @@ TEST(SideTraces, RunRoundTheDomainHeadToTail) {
 }
 
 TEST(WishedKnots, HalveTheSpanThatIsOver) {
-  const auto wishes =
-      wishedKnots(quadWith({0.0, 0.5, 1.0}), reportWith(0, {{0.7, 0.1, 0.0, false}}), 1.0);
+  const auto wishes = wishedKnots(
+      square(), quadWith({0.0, 0.5, 1.0}), reportWith(0, {{0.7, 0.1, 0.0, false}}), 1.0);
   EXPECT_THAT(wishes[0].u, Pointwise(DoubleNear(1e-12), {0.75}));
   EXPECT_TRUE(wishes[0].v.empty());
 }
 
 TEST(WishedKnots, OfTheNorthSideAreMirrored) {
-  const auto wishes =
-      wishedKnots(quadWith({0.0, 0.5, 1.0}), reportWith(2, {{0.7, 0.1, 0.0, false}}), 1.0);
+  const auto wishes = wishedKnots(
+      square(), quadWith({0.0, 0.5, 1.0}), reportWith(2, {{0.7, 0.1, 0.0, false}}), 1.0);
   EXPECT_THAT(wishes[0].u, Pointwise(DoubleNear(1e-12), {0.25}));
 }
 
 TEST(WishedKnots, OfEastAndWestLieAlongV) {
-  const auto east =
-      wishedKnots(quadWith({0.0, 0.5, 1.0}), reportWith(1, {{0.7, 0.1, 0.0, false}}), 1.0);
+  const auto east = wishedKnots(
+      square(), quadWith({0.0, 0.5, 1.0}), reportWith(1, {{0.7, 0.1, 0.0, false}}), 1.0);
   EXPECT_TRUE(east[0].u.empty());
   EXPECT_THAT(east[0].v, Pointwise(DoubleNear(1e-12), {0.75}));
 }
 
 TEST(WishedKnots, AreNoneWithinTheLimits) {
   EXPECT_TRUE(nothingWished(
-      wishedKnots(quadWith({0.0, 1.0}), reportWith(0, {{0.7, 0.01, 0.0, false}}), 1.0)));
+      wishedKnots(square(), quadWith({0.0, 1.0}), reportWith(0, {{0.7, 0.01, 0.0, false}}), 1.0)));
 }
 
 TEST(WishedKnots, CornersHaveTheirOwnLimit) {
   const auto layout = quadWith({0.0, 1.0});
-  EXPECT_TRUE(nothingWished(wishedKnots(layout, reportWith(0, {{0.01, 0.04, 0.0, true}}), 1.0)));
-  EXPECT_FALSE(nothingWished(wishedKnots(layout, reportWith(0, {{0.01, 0.06, 0.0, true}}), 1.0)));
+  EXPECT_TRUE(
+      nothingWished(wishedKnots(square(), layout, reportWith(0, {{0.01, 0.04, 0.0, true}}), 1.0)));
+  EXPECT_FALSE(
+      nothingWished(wishedKnots(square(), layout, reportWith(0, {{0.01, 0.06, 0.0, true}}), 1.0)));
 }
 
 TEST(WishedKnots, ACornerThatStaysOverGradesTheKnotsTowardsIt) {
   // Ratio 1/2: breaks at 1/2, 1/4, 1/8.
   std::vector<double> breaks = {0.0, 1.0};
   for (const double expected : {0.5, 0.25, 0.125}) {
-    const auto wishes = wishedKnots(quadWith(breaks), reportWith(0, {{0.01, 1.0, 0.0, true}}), 1.0);
+    const auto wishes =
+        wishedKnots(square(), quadWith(breaks), reportWith(0, {{0.01, 1.0, 0.0, true}}), 1.0);
     ASSERT_EQ(wishes[0].u.size(), 1U);
     EXPECT_NEAR(wishes[0].u[0], expected, 1e-12);
     breaks.insert(breaks.begin() + 1, expected);
@@ -82,13 +90,13 @@ TEST(WishedKnots, ACornerThatStaysOverGradesTheKnotsTowardsIt) {
 
 TEST(WishedKnots, WhatIsTheEdgesOwnFaultIsLeft) {
   EXPECT_TRUE(nothingWished(
-      wishedKnots(quadWith({0.0, 1.0}), reportWith(0, {{0.7, 0.5, 0.5, false}}), 1.0)));
+      wishedKnots(square(), quadWith({0.0, 1.0}), reportWith(0, {{0.7, 0.5, 0.5, false}}), 1.0)));
 }
 
 TEST(WishedKnots, G0SidesWishNothing) {
   auto report = reportWith(0, {{0.7, 5.0, 0.0, false}});
   report.sides[0].asked = Continuity::G0;
-  EXPECT_TRUE(nothingWished(wishedKnots(quadWith({0.0, 1.0}), report, 1.0)));
+  EXPECT_TRUE(nothingWished(wishedKnots(square(), quadWith({0.0, 1.0}), report, 1.0)));
 }
 
 FillResult resultWithAngle(double angle) {

@@ -17,9 +17,13 @@ using namespace ::fairing::testing;  // NOLINT: the whole vocabulary of known lo
 using spline::KnotVector;
 
 PatchLayout layoutOf(const boundary::BoundaryLoop& loop) {
-  auto layout = makeLayout(loop, {LayoutKind::Auto, 0, 1e-6, 10000});
-  EXPECT_TRUE(layout.has_value());
-  return layout.value_or(PatchLayout{});
+  const auto plan = planLayout(loop, LayoutKind::Quad);
+  EXPECT_TRUE(plan.has_value());
+  return makeLayout(*plan, {0, 1e-6, 10000});
+}
+
+std::vector<KnotVector> knotsOf(const boundary::BoundaryLoop& loop, int degree) {
+  return makeLayout(*planLayout(loop, LayoutKind::Quad), {degree, 1e-6, 10000}).stripKnots;
 }
 
 boundary::BoundaryLoop splineLoop() {
@@ -97,9 +101,9 @@ TEST(Quad, KnotsAreThoseOfBothOppositeSides) {
       spline::refinedTo(south, KnotVector::fromBreaks(3, {0.0, 0.25, 1.0}).withKnot(0.6), v);
   Sides sides = borderOf(south);
   sides[2].ribbon.polynomial = borderOf(north)[2].ribbon.polynomial;
-  const QuadKnots knots = chooseQuadKnots(finished(sides), 3, 1e-6, 100);
-  EXPECT_THAT(knots.u.breaks(), ::testing::ElementsAre(0.0, 0.25, 0.6, 1.0));
-  EXPECT_EQ(knots.v.breaks(), v.breaks());
+  const auto knots = knotsOf(finished(sides), 3);
+  EXPECT_THAT(knots[0].breaks(), ::testing::ElementsAre(0.0, 0.25, 0.6, 1.0));
+  EXPECT_EQ(knots[1].breaks(), v.breaks());
 }
 
 TEST(Quad, DomainHasTheHolesProportionsAndUnitArea) {
@@ -125,9 +129,9 @@ TEST(Quad, RefiningAddsTheWishedKnotsAndKeepsTheCurves) {
   const PatchLayout coarse = layoutOf(loop);
   const LayoutPatch& before = coarse.patches[0];
   const double wish = 0.4 * before.u.last();
-  const auto fine = refineLayout(loop, coarse, {{{wish}, {}}});
-  ASSERT_TRUE(fine.has_value());
-  const LayoutPatch& after = fine->patches[0];
+  const PatchLayout fine =
+      refineLayout(*planLayout(loop, LayoutKind::Quad), coarse, {{{wish}, {}}});
+  const LayoutPatch& after = fine.patches[0];
   EXPECT_EQ(after.u.poleCount(), before.u.poleCount() + 1);
   EXPECT_EQ(after.v.poleCount(), before.v.poleCount());
   for (const double t : {0.1, 0.5, 0.8})
@@ -146,16 +150,15 @@ TEST(Quad, EveryPoleHasItsOwnPoint) {
 
 TEST(Quad, DegreeAskedForIsTheDegreeTaken) {
   for (const int degree : {3, 4, 7, 9}) {
-    const QuadKnots knots = chooseQuadKnots(loopOf(plane(), unitSquare()), degree, 1e-6, 100);
-    EXPECT_EQ(knots.u.degree(), degree);
-    EXPECT_EQ(knots.v.degree(), degree);
+    for (const KnotVector& knots : knotsOf(loopOf(plane(), unitSquare()), degree))
+      EXPECT_EQ(knots.degree(), degree);
   }
 }
 
 TEST(Quad, DegreeIsNeverBelowTheEdges) {
-  const QuadKnots knots = chooseQuadKnots(splineLoop(), 3, 1e-6, 100);
-  EXPECT_EQ(knots.u.degree(), 3);
-  EXPECT_EQ(knots.v.degree(), 4);
+  const auto knots = knotsOf(splineLoop(), 3);
+  EXPECT_EQ(knots[0].degree(), 3);
+  EXPECT_EQ(knots[1].degree(), 4);
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/boundary/boundary_loop.h"
+
+namespace fairing::boundary {
+
+/// A place on a loop: parameter t in [0, 1) of side `side`.
+struct LoopPlace {
+  std::size_t side = 0;
+  double t = 0.0;
+};
+
+/// The stretch [from, to] of an edge, and the stretch [start, end] of the new side it became.
+struct Stretch {
+  std::size_t edge = 0;  ///< position among the sides of the loop that was cut
+  double from = 0.0, to = 1.0;
+  double start = 0.0, end = 1.0;
+};
+
+/// A loop cut into new sides, each from one cut to the next.
+struct CutLoop {
+  BoundaryLoop loop;
+  std::vector<std::vector<Stretch>> stretches;  ///< of every new side, in its direction
+};
+
+/// Cuts a loop at places given in its order, two at least; new side k starts at cuts[k]. A stretch
+/// of one edge keeps its parameter (a polynomial stays one); a side made of several edges, or of a
+/// polynomial with more than `mostPoles` control points, runs at constant speed: such edges come
+/// from approximations, their own speed is rough and would cost a patch many knots. Fails with the
+/// codes of makeLoop().
+[[nodiscard]] Result<CutLoop> cutLoop(const BoundaryLoop& loop,
+                                      const std::vector<LoopPlace>& cuts,
+                                      int mostPoles);
+
+}  // namespace fairing::boundary

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "core/layout/patch_layout.h"
+#include "core/solver/quadratic_program.h"
+
+namespace fairing::constraint {
+
+/// Patches meet with one tangent plane along every seam:
+///   first(t) D1(t) + second(t) D2(t) = along(t) R_t(t)          (Seam::frame)
+/// met with its derivative at both ends, at Greville abscissae between. First a block per inner
+/// vertex, for all seams that end there; then one per seam end on the loop; then one per seam.
+[[nodiscard]] std::vector<solver::TieBlock> tieSeams(const layout::PatchLayout& layout);
+
+}  // namespace fairing::constraint

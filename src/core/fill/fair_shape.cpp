@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/fill/fair_shape.h"
+
+#include <Eigen/Cholesky>
+#include <memory>
+
+#include "core/assembly/assemble_shape_energy.h"
+#include "core/layout/layouts.h"
+#include "core/shape_energy/mean_curvature_gradient.h"
+
+// One step d from the points x, in the directions T that the constraints leave free:
+//   (T' (s^2 H + w P / s^2 + m / s^2) T) y = -T' s^2 g,   d = T y
+// H, g   Gauss-Newton model of the energy (assembly/assemble_shape_energy.h), s the hole's diagonal
+// P      tangential part of every control point's displacement: the energy does not see the
+//        parametrisation, which would drift
+// m      Levenberg-Marquardt weight, raised until the true energy falls [NocedalWright2006] 10.3
+
+namespace fairing {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kDensity = 3.0;    // spans over a length as long as the hole is wide
+constexpr double kFitShare = 1e-3;  // of the diagonal: how closely the sides are followed
+constexpr int kMostPolesAlong = 14;
+constexpr int kSteps = 2;
+constexpr double kPinning = 1e4;
+constexpr int kTrials = 4;
+constexpr double kFirstDamping = 1e2, kDampingFactor = 30.0;
+
+std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind) {
+  switch (kind) {
+    case EnergyKind::MeanCurvatureGradient:
+      return std::make_unique<shape_energy::MeanCurvatureGradient>();
+    case EnergyKind::Membrane:
+    case EnergyKind::ThinPlate:
+      break;
+  }
+  return nullptr;
+}
+
+// Normals at the control points' Greville abscissae; where patches share a point, the last one's.
+solver::Points normalsAtPoints(const layout::PatchLayout& layout, const Patches& patches) {
+  solver::Points normals = solver::Points::Zero(layout.pointCount, 3);
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const spline::BsplineSurface& patch = patches[p];
+    const auto u = patch.u.grevilleAbscissae(), v = patch.v.grevilleAbscissae();
+    for (std::size_t i = 0; i < u.size(); ++i)
+      for (std::size_t j = 0; j < v.size(); ++j) {
+        const Eigen::Vector3d n = patch.jet(u[i], v[j]).normalVector().normalized();
+        if (n.allFinite()) normals.row(layout.patches[p].points[i * v.size() + j]) = n.transpose();
+      }
+  }
+  return normals;
+}
+
+struct Model {
+  MatrixXd hessian;  // 3n x 3n
+  VectorXd gradient;
+};
+
+Model modelOf(const layout::PatchLayout& layout,
+              const Patches& patches,
+              const shape_energy::ShapeEnergy& energy,
+              double size) {
+  const Index n = 3 * layout.pointCount;
+  Model model{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
+  for (const assembly::ShapeElement& e : assembly::assembleShapeEnergy(layout, patches, energy)) {
+    for (std::size_t b = 0; b < e.points.size(); ++b) {
+      const auto column = static_cast<Index>(3 * b), to = static_cast<Index>(3 * e.points[b]);
+      model.gradient.segment<3>(to) += size * size * e.gradient.segment<3>(column);
+      for (std::size_t a = 0; a < e.points.size(); ++a)
+        model.hessian.block<3, 3>(3 * e.points[a], to) +=
+            size * size * e.hessian.block<3, 3>(static_cast<Index>(3 * a), column);
+    }
+  }
+  const double pinning = kPinning / (size * size) / layout.pointCount;
+  const solver::Points normals = normalsAtPoints(layout, patches);
+  for (Index k = 0; k < layout.pointCount; ++k) {
+    const Eigen::Vector3d normal = normals.row(k);
+    model.hessian.block<3, 3>(3 * k, 3 * k) +=
+        pinning * (Eigen::Matrix3d::Identity() - normal * normal.transpose());
+  }
+  return model;
+}
+
+// The model in the free directions.
+Model projected(const Model& model, const solver::Sparse& freedom) {
+  const MatrixXd reached = model.hessian * freedom;
+  return {freedom.transpose() * reached, freedom.transpose() * model.gradient};
+}
+
+class Descent {
+ public:
+  Descent(const layout::PatchLayout& layout,
+          const shape_energy::ShapeEnergy& energy,
+          const solver::QuadraticProgram& program,
+          double size)
+      : layout_(layout), energy_(energy), freedom_(solver::freedomOf(program)), size_(size) {}
+
+  [[nodiscard]] double energyAt(const solver::Points& points) const {
+    return assembly::shapeEnergyOf(makePatches(layout_, points), energy_);
+  }
+  // Takes a step; false where none lets the energy fall.
+  bool step(solver::Points& points, double& value) const {
+    const Model model =
+        projected(modelOf(layout_, makePatches(layout_, points), energy_, size_), freedom_);
+    const double damping = 1.0 / (size_ * size_) / layout_.pointCount;
+    double weight = 0.0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      MatrixXd matrix = model.hessian;
+      matrix.diagonal().array() += weight * damping;
+      const Eigen::LLT<MatrixXd> factor(matrix);
+      if (factor.info() == Eigen::Success) {
+        const VectorXd moved = freedom_ * factor.solve(-model.gradient);
+        const solver::Points next =
+            points + Eigen::Map<const solver::Points>(moved.data(), points.rows(), 3);
+        const double reached = energyAt(next);
+        if (reached < value) {
+          points = next;
+          value = reached;
+          return true;
+        }
+      }
+      weight = weight == 0.0 ? kFirstDamping : kDampingFactor * weight;
+    }
+    return false;
+  }
+
+ private:
+  const layout::PatchLayout& layout_;
+  const shape_energy::ShapeEnergy& energy_;
+  solver::Sparse freedom_;
+  double size_;
+};
+
+}  // namespace
+
+Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
+                                           const layout::PatchLayout& layout,
+                                           const FillOptions& options,
+                                           double diagonal,
+                                           Progress* progress) {
+  const auto energy = shapeEnergy(options.energy);
+  if (!energy) return std::nullopt;
+  FairShape shape{
+      layout::coarseLayout(plan, layout, {kDensity, kFitShare * diagonal, kMostPolesAlong}), {}};
+  const auto program = makeProgram(plan, shape.layout, EnergyKind::ThinPlate);
+  if (!program) return fail(program.error());
+  auto start = solver::solve(*program);
+  if (!start) return fail(start.error());
+  const Descent descent(shape.layout, *energy, *program, diagonal);
+  shape.energyBefore = shape.energy = descent.energyAt(start->points);
+  while (shape.steps < kSteps) {
+    if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
+    if (!descent.step(start->points, shape.energy)) break;
+    ++shape.steps;
+  }
+  shape.patches = makePatches(shape.layout, start->points);
+  return shape;
+}
+
+}  // namespace fairing

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/fill/span_hole.h"
+
+#include "core/assembly/assemble_energy.h"
+#include "core/assembly/assemble_guidance.h"
+#include "core/constraint/constraint_set.h"
+
+namespace fairing {
+namespace {
+
+Eigen::VectorXd flat(const solver::Points& points) {
+  return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size());
+}
+
+}  // namespace
+
+Patches makePatches(const layout::PatchLayout& layout, const solver::Points& points) {
+  Patches patches;
+  for (const layout::LayoutPatch& from : layout.patches) {
+    spline::Poles poles(static_cast<Eigen::Index>(from.points.size()), 3);
+    for (std::size_t k = 0; k < from.points.size(); ++k)
+      poles.row(static_cast<Eigen::Index>(k)) = points.row(from.points[k]);
+    patches.push_back({from.u, from.v, std::move(poles)});
+  }
+  return patches;
+}
+
+solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse) {
+  solver::Points points(layout.pointCount, 3);
+  for (std::size_t p = 0; p < coarse.size(); ++p) {
+    const layout::LayoutPatch& patch = layout.patches[p];
+    const auto raised = spline::raiseDegree(coarse[p],
+                                            patch.u.degree() - coarse[p].u.degree(),
+                                            patch.v.degree() - coarse[p].v.degree());
+    const spline::Poles poles = spline::refinedTo(raised, patch.u, patch.v).poles;
+    for (std::size_t k = 0; k < patch.points.size(); ++k)
+      points.row(patch.points[k]) = poles.row(static_cast<Eigen::Index>(k));
+  }
+  return points;
+}
+
+Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
+                                             const layout::PatchLayout& layout,
+                                             EnergyKind kind,
+                                             const std::optional<solver::Points>& shape) {
+  auto constraints = constraint::constrainSides(plan.cut.loop, layout);
+  if (!constraints) return fail(constraints.error());
+  solver::QuadraticProgram program;
+  program.stiffness = assembly::assembleEnergy(layout, energy::energyTerms(kind));
+  if (shape) program.load = flat(solver::Points(program.stiffness * *shape));
+  program.fixed = std::move(constraints->fixed);
+  program.values = std::move(constraints->values);
+  program.ties = std::move(constraints->ties);
+  program.blocks = std::move(constraints->blocks);
+  return program;
+}
+
+Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,
+                                     const layout::PatchLayout& layout,
+                                     const energy::Guidance& guidance) {
+  auto solution = solver::solve(program);
+  if (!solution || !guidance.acts()) return solution;
+  const auto guided =
+      assembly::assembleGuidance(layout, guidance, makePatches(layout, solution->points));
+  program.coupled = guided.coupled;
+  program.load =
+      program.load.size() > 0 ? Eigen::VectorXd(program.load + guided.load) : guided.load;
+  return solver::solve(program);
+}
+
+}  // namespace fairing

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/fill/fill_options.h"
+#include "core/layout/layout_plan.h"
+#include "core/layout/patch_layout.h"
+#include "core/solver/quadratic_program.h"
+#include "core/solver/solve.h"
+#include "core/spline/bspline_surface.h"
+
+namespace fairing {
+
+using Patches = std::vector<spline::BsplineSurface>;
+
+/// The patches of a layout from its points.
+[[nodiscard]] Patches makePatches(const layout::PatchLayout& layout, const solver::Points& points);
+
+/// Patches written in the points of a finer layout of the same plan: same degrees or higher ones,
+/// and knots that contain theirs.
+[[nodiscard]] solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse);
+
+/// What the patches of a layout minimise, and subject to what: the quadratic energy of `kind`, of
+/// the difference to `shape` (points of this layout) where there is one.
+[[nodiscard]] Result<solver::QuadraticProgram> makeProgram(
+    const layout::LayoutPlan& plan,
+    const layout::PatchLayout& layout,
+    EnergyKind kind,
+    const std::optional<solver::Points>& shape = {});
+
+/// The minimiser, under guidance where it acts. Guidance is looked up near the shape it acts on:
+/// first the fill without it, then with it.
+[[nodiscard]] Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,
+                                                   const layout::PatchLayout& layout,
+                                                   const energy::Guidance& guidance);
+
+}  // namespace fairing

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "core/boundary/cut_loop.h"
+#include "core/layout/layout_kind.h"
+#include "core/layout/quad_mesh.h"
+
+namespace fairing::layout {
+
+/// How a loop is to be spanned: cut into sides that patch edges cover whole, and divided into
+/// quads. Vertex j of the mesh is the start of side j; inner vertices follow.
+struct LayoutPlan {
+  LayoutKind kind = LayoutKind::Quad;
+  boundary::CutLoop cut;
+  QuadMesh mesh;
+};
+
+}  // namespace fairing::layout

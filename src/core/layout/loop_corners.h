@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "core/boundary/arc_length.h"
+#include "core/boundary/cut_loop.h"
+
+namespace fairing::layout {
+
+/// What a place where two edges meet is to a layout.
+enum class CornerRole {
+  Smooth,  ///< no corner: the edges continue each other
+  Corner,  ///< convex: one patch has its corner here
+  Split,   ///< nearly straight or re-entrant: two patches meet here, lest one degenerates
+};
+
+/// By corner of the loop: corner k is at the end of side k.
+[[nodiscard]] std::vector<CornerRole> cornerRoles(const boundary::BoundaryLoop& loop);
+
+/// Lengths along a loop, from the start of side 0 on.
+class LoopLength {
+ public:
+  explicit LoopLength(const boundary::BoundaryLoop& loop);
+
+  [[nodiscard]] double whole() const { return starts_.back(); }
+  /// Up to the start of a side, mm; side = number of sides gives the whole.
+  [[nodiscard]] double upTo(std::size_t side) const { return starts_[side]; }
+  /// The place where `length` mm are behind; any multiple of the whole may be added.
+  [[nodiscard]] boundary::LoopPlace placeAt(double length) const;
+
+ private:
+  std::vector<boundary::ArcLength> arcs_;
+  std::vector<double> starts_;
+};
+
+}  // namespace fairing::layout
