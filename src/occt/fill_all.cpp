@@ -27,6 +27,7 @@ class Crew {
   }
 
   std::vector<HoleFill> work(Progress* shared, int threads) {
+    if (shared != nullptr) report(*shared);  // an abort may have come before the work
     {
       std::vector<std::jthread> crew;
       for (int i = 0; i < threads; ++i) crew.emplace_back([this] { fillWhatIsLeft(); });

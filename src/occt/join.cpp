@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "occt/join.h"
 
-#include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
-#include <TopoDS_Solid.hxx>
 #include <algorithm>
 
 #include "occt/check_shape.h"
 #include "occt/free_sides.h"
 #include "occt/guarded.h"
+#include "occt/solids.h"
 
 namespace fairing::occt {
 namespace {
-
-TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes) {
-  if (shapes.size() == 1) return shapes.front();
-  TopoDS_Compound compound;
-  const BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-  return compound;
-}
 
 std::vector<TopoDS_Shape> facesOf(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> faces;
@@ -61,21 +48,6 @@ double sewingTolerance(const ShapeIndex& base, const std::vector<JoinPart>& part
     }
   }
   return tolerance;
-}
-
-/// A closed shell becomes a solid that encloses a positive volume; also inside a compound.
-TopoDS_Shape solidsWhereClosed(const TopoDS_Shape& shape) {
-  if (shape.ShapeType() == TopAbs_COMPOUND) {
-    std::vector<TopoDS_Shape> members;
-    for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
-      members.push_back(solidsWhereClosed(it.Value()));
-    }
-    return compoundOf(members);
-  }
-  if (shape.ShapeType() != TopAbs_SHELL || !BRep_Tool::IsClosed(shape)) return shape;
-  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shape)).Solid();
-  BRepLib::OrientClosedSolid(solid);
-  return solid;
 }
 
 Result<TopoDS_Shape> sewIntoBase(const ShapeIndex& base,

@@ -3,10 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 
+#include "occt/fill_shape.h"
 #include "occt/read_boundary.h"
 #include "occt/shapes.h"
 #include "text/error_text.h"
@@ -47,6 +50,36 @@ TEST(JoinResult, SaysWhichEdgesStayFreeAndHowFarOffTheyAre) {
   const int raised = edgesNear(index, {{10, 10, 30}})[0];
   EXPECT_THAT(joined.error().detail, HasSubstr("edge " + std::to_string(raised) + ": 0.5 mm"));
   EXPECT_THAT(text::sentence(joined.error()), HasSubstr("edge " + std::to_string(raised)));
+}
+
+TEST(JoinResult, KeepsACavityWithinItsSolid) {
+  gp_Trsf shift;
+  shift.SetTranslation(gp_Vec(3, 3, 3));
+  const TopoDS_Shape inner = BRepBuilderAPI_Transform(box(4, 4, 4), shift, true).Shape();
+  const TopoDS_Shape hollow = BRepAlgoAPI_Cut(box(10, 20, 30), inner).Shape();
+  const ShapeIndex index(hollow);
+  ASSERT_EQ(index.faceCount(), 12);
+  for (int face = 1; face <= 12; ++face) {
+    const auto filled =
+        fillShape(index, {.faces = {face}, .continuity = Continuity::G0}, {}, ResultMode::Base);
+    ASSERT_TRUE(filled.has_value());
+    EXPECT_EQ(filled->shape.ShapeType(), TopAbs_SOLID) << face;
+    EXPECT_TRUE(BRepCheck_Analyzer(filled->shape).IsValid()) << face;
+    EXPECT_NEAR(volume(filled->shape), 6000.0 - 64.0, 1e-6) << face;
+  }
+}
+
+TEST(JoinResult, KeepsSolidsBesideEachOtherApart) {
+  gp_Trsf shift;
+  shift.SetTranslation(gp_Vec(50, 0, 0));
+  const TopoDS_Shape two =
+      compound({box(10, 20, 30), BRepBuilderAPI_Transform(box(1, 2, 3), shift, true).Shape()});
+  const ShapeIndex index(two);
+  const auto filled =
+      fillShape(index, {.faces = {1}, .continuity = Continuity::G0}, {}, ResultMode::Base);
+  ASSERT_TRUE(filled.has_value());
+  EXPECT_EQ(filled->shape.ShapeType(), TopAbs_COMPOUND);
+  EXPECT_NEAR(volume(filled->shape), 6006.0, 1e-6);
 }
 
 }  // namespace

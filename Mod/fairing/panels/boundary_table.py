@@ -31,7 +31,7 @@ class BoundaryTable(QtCore.QObject):
         for column in range(widget.columnCount()):
             header.setSectionResizeMode(column, QtGui.QHeaderView.ResizeToContents)
         header.setSectionResizeMode(CURVATURE, QtGui.QHeaderView.Stretch)
-        widget.verticalHeader().setDefaultSectionSize(24)
+        widget.verticalHeader().setDefaultSectionSize(22)
         widget.itemSelectionChanged.connect(self._selected)
         widget.setIconSize(QtCore.QSize(14, 14))
 
