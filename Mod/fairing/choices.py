@@ -31,7 +31,7 @@ class Choices:
     tangents: tuple[tuple[int, Triple], ...] = ()  # edges met along a direction in place of a face
     symmetry: tuple[tuple[int, Triple], ...] = ()  # edges in a symmetry plane, with its normal
     layout: str = "auto"
-    energy: str = "thin-plate"
+    energy: str = "mean-curvature-gradient"
     lambda_: float = 0.0  # weight of the guiding normals
     gamma: float = 0.0  # weight of the reference surface
     reference: Optional[bytes] = dataclasses.field(default=None, repr=False)  # BREP of the faces that guide
