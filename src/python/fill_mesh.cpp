@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "python/trimmed_mesh.h"
+
 namespace fairing::python {
 namespace {
 
@@ -38,6 +40,7 @@ void addPatch(Mesh& mesh, const spline::BsplineSurface& patch, bool reversed, in
 }  // namespace
 
 Mesh meshOf(const FillResult& fill, int divisions) {
+  if (!fill.trims.empty()) return trimmedMeshOf(fill, std::max(divisions, 1));
   Mesh mesh;
   for (std::size_t i = 0; i < fill.patches.size(); ++i) {
     addPatch(mesh, fill.patches[i], fill.reversed[i], std::max(divisions, 1));

@@ -14,7 +14,8 @@ struct Mesh {
   std::vector<std::int32_t> triangles;
 };
 
-/// Every patch on a grid of `divisions` by `divisions` cells, at least 1.
+/// Every patch on a grid of `divisions` by `divisions` cells, at least 1; trimmed ones about as
+/// fine (trimmed_mesh.h).
 [[nodiscard]] Mesh meshOf(const FillResult& fill, int divisions);
 
 }  // namespace fairing::python

@@ -35,16 +35,26 @@ std::vector<double> crossingsAt(const ProjectedLoop& loop, int axis, double at) 
   return crossings;
 }
 
+// Corners, and points next to which the loop runs back along `axis`.
+std::vector<Vector2d> turnsOf(const ProjectedLoop& loop, int axis) {
+  const std::size_t n = loop.points.size();
+  std::vector<Vector2d> turns;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vector2d &at = loop.points[k], &before = loop.points[(k + n - 1) % n],
+                   &after = loop.points[(k + 1) % n];
+    const bool isCorner = loop.sides[k] != loop.sides[(k + n - 1) % n];
+    if (isCorner || (at[axis] - before[axis]) * (after[axis] - at[axis]) <= 0.0)
+      turns.push_back(at);
+  }
+  return turns;
+}
+
 }  // namespace
 
-DomainGrid::Axis DomainGrid::axisOf(const spline::KnotVector& knots,
-                                    const ProjectedLoop& loop,
-                                    int axis) const {
-  Axis result{knots, knots.breaks(), {}, {}};
-  for (const auto& q : spline::gaussLegendre(static_cast<int>(points_), knots)) {
+DomainGrid::Axis DomainGrid::axisOf(const spline::KnotVector& knots, int axis) const {
+  Axis result{knots, knots.breaks(), {}, turnsOf(loop_, axis)};
+  for (const auto& q : spline::gaussLegendre(static_cast<int>(points_), knots))
     result.lines.push_back({q.parameter, q.weight, spline::basisRow(knots, q.parameter, 3)});
-    result.crossings.push_back(crossingsAt(loop, axis, q.parameter));
-  }
   return result;
 }
 
@@ -52,13 +62,15 @@ DomainGrid::DomainGrid(const spline::KnotVector& u,
                        const spline::KnotVector& v,
                        const ProjectedLoop& loop,
                        int pointsPerSpan)
-    : points_(static_cast<std::size_t>(pointsPerSpan)),
-      u_(axisOf(u, loop, 0)),
-      v_(axisOf(v, loop, 1)) {
-  classify(loop);
+    : loop_(loop),
+      points_(static_cast<std::size_t>(pointsPerSpan)),
+      u_(axisOf(u, 0)),
+      v_(axisOf(v, 1)) {
+  classify();
 }
 
-void DomainGrid::classify(const ProjectedLoop& loop) {
+void DomainGrid::classify() {
+  const ProjectedLoop& loop = loop_;
   const std::size_t nu = u_.breaks.size() - 1, nv = v_.breaks.size() - 1, n = loop.points.size();
   // How far the loop runs along either direction within every cell.
   std::vector<Vector2d> runs(nu * nv, Vector2d::Zero());
@@ -94,28 +106,52 @@ void DomainGrid::visitWhole(std::size_t i,
     }
 }
 
+// Where lines of constant `axis` begin to cross the loop in a cell, cease to, or cross a corner.
+std::vector<double> DomainGrid::stretches(const Eigen::AlignedBox2d& cell, int axis) const {
+  const double low = cell.min()[axis], high = cell.max()[axis];
+  std::vector<double> ends{low, high};
+  for (const double side : {cell.min()[1 - axis], cell.max()[1 - axis]})
+    for (const double at : crossingsAt(loop_, 1 - axis, side))
+      if (at > low && at < high) ends.push_back(at);
+  for (const Vector2d& turn : axis == 0 ? u_.turns : v_.turns)
+    if (cell.contains(turn)) ends.push_back(turn[axis]);
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
 void DomainGrid::visitCut(std::size_t i, std::size_t j, bool alongU, const AtPlace& atPlace) const {
-  const Axis &on = alongU ? u_ : v_, &across = alongU ? v_ : u_;
-  const std::size_t first = alongU ? i : j, other = alongU ? j : i;
-  const double low = across.breaks[other], high = across.breaks[other + 1];
-  for (std::size_t k = first * points_; k < (first + 1) * points_; ++k) {
-    const Line& line = on.lines[k];
+  const Eigen::AlignedBox2d cell(Vector2d(u_.breaks[i], v_.breaks[j]),
+                                 Vector2d(u_.breaks[i + 1], v_.breaks[j + 1]));
+  const int axis = alongU ? 0 : 1;
+  const spline::KnotVector &on = alongU ? u_.knots : v_.knots,
+                           &across = alongU ? v_.knots : u_.knots;
+  const double low = cell.min()[1 - axis], high = cell.max()[1 - axis];
+  const auto gauss = [&](double from, double to) {
+    return spline::gaussLegendre(static_cast<int>(points_), from, to);
+  };
+  const auto visitLine = [&](const spline::QuadraturePoint& line) {
+    const spline::BasisRow lineBasis = spline::basisRow(on, line.parameter, 3);
     std::vector<double> ends{low};
-    for (const double at : on.crossings[k]) ends.push_back(std::clamp(at, low, high));
+    for (const double at : crossingsAt(loop_, axis, line.parameter))
+      ends.push_back(std::clamp(at, low, high));
     ends.push_back(high);
     for (std::size_t l = 0; l + 1 < ends.size(); ++l) {
-      if (ends[l + 1] - ends[l] <= 0.0) continue;
-      for (const auto& q : spline::gaussLegendre(static_cast<int>(points_), ends[l], ends[l + 1])) {
-        const spline::BasisRow basis = spline::basisRow(across.knots, q.parameter, 3);
+      if (ends[l + 1] <= ends[l]) continue;
+      const bool inside = l % 2 == 1;
+      for (const auto& q : gauss(ends[l], ends[l + 1])) {
+        const spline::BasisRow basis = spline::basisRow(across, q.parameter, 3);
         const double weight = line.weight * q.weight;
-        const bool inside = l % 2 == 1;
         if (alongU)
-          atPlace({line.parameter, q.parameter, weight, inside, line.basis, basis});
+          atPlace({line.parameter, q.parameter, weight, inside, lineBasis, basis});
         else
-          atPlace({q.parameter, line.parameter, weight, inside, basis, line.basis});
+          atPlace({q.parameter, line.parameter, weight, inside, basis, lineBasis});
       }
     }
-  }
+  };
+  const std::vector<double> pieces = stretches(cell, axis);
+  for (std::size_t k = 0; k + 1 < pieces.size(); ++k)
+    if (pieces[k + 1] > pieces[k])
+      for (const auto& line : gauss(pieces[k], pieces[k + 1])) visitLine(line);
 }
 
 void DomainGrid::visit(const AtPlace& atPlace, const std::function<void()>& afterCell) const {

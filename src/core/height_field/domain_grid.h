@@ -9,8 +9,9 @@
 namespace fairing::height_field {
 
 /// Quadrature over the cells of two knot vectors, apart for what lies inside the loop and outside:
-/// Gauss-Legendre on whole cells; where the loop cuts a cell, on the stretches into which it cuts
-/// lines across it. Good to the loop's polygon.
+/// Gauss-Legendre on whole cells. In a cell that the loop cuts, on the stretches into which it cuts
+/// lines across the cell, between which nothing happens but that they grow and shrink smoothly.
+/// Good to the loop's polygon.
 class DomainGrid {
  public:
   DomainGrid(const spline::KnotVector& u,
@@ -39,16 +40,17 @@ class DomainGrid {
   struct Axis {
     spline::KnotVector knots;
     std::vector<double> breaks;
-    std::vector<Line> lines;                     ///< where it is constant, a few a span
-    std::vector<std::vector<double>> crossings;  ///< of every line with the loop, ascending
+    std::vector<Line> lines;  ///< where it is constant, a few a span
+    /// Corners of the loop, and where it turns back in this direction.
+    std::vector<Eigen::Vector2d> turns;
   };
-  [[nodiscard]] Axis axisOf(const spline::KnotVector& knots,
-                            const ProjectedLoop& loop,
-                            int axis) const;
-  void classify(const ProjectedLoop& loop);
+  [[nodiscard]] Axis axisOf(const spline::KnotVector& knots, int axis) const;
+  void classify();
+  [[nodiscard]] std::vector<double> stretches(const Eigen::AlignedBox2d& cell, int axis) const;
   void visitWhole(std::size_t i, std::size_t j, bool inside, const AtPlace& atPlace) const;
   void visitCut(std::size_t i, std::size_t j, bool alongU, const AtPlace& atPlace) const;
 
+  const ProjectedLoop& loop_;
   std::size_t points_;
   Axis u_, v_;
   std::vector<Cell> cells_;  // v fastest

@@ -10,7 +10,7 @@ namespace {
 using spline::KnotVector;
 
 constexpr double kMargin = 0.04;  // of the box, on either side
-constexpr int kFirstCells = 6;    // along the side of a square box
+constexpr int kFirstCells = 12;   // along the side of a square box
 // Spans below this share of the domain resolve nothing any more.
 constexpr double kShortestSpan = 1.0 / 4096.0;
 
