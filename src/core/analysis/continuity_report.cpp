@@ -53,7 +53,9 @@ void addFoot(const ProbePoint& probe, const MeasuredFoot& foot, double flat, Sid
   add(probe.inCorner ? report.cornerAngle : report.angle, angle, probe);
   if (probe.inCorner) return;
   const double asked = probe.curvature, got = agreement * foot.curvature;
-  add(report.curvature, std::abs(asked - got) / (std::abs(asked) + std::abs(got) + flat), probe);
+  const double mismatch = std::abs(asked - got) / (std::abs(asked) + std::abs(got) + flat);
+  report.angleCurve.back().curvature = mismatch;
+  add(report.curvature, mismatch, probe);
 }
 
 // Whether most normals along the border are against the supports'.
@@ -82,6 +84,10 @@ void judge(FillReport& report) {
       report.largestAngle = std::max(report.largestAngle, side.angle.max);
       report.largestCornerAngle = std::max(report.largestCornerAngle, side.cornerAngle.max);
     }
+    if (side.asked == Continuity::G2) {
+      side.withinTolerance = side.withinTolerance && within(side.curvature, report.curvatureLimit);
+      report.largestCurvature = std::max(report.largestCurvature, side.curvature.max);
+    }
     report.withinTolerance = report.withinTolerance && side.withinTolerance;
   }
 }
@@ -91,6 +97,7 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
   report.diagonal = loop.diagonal;
   report.gapLimit = tolerance.gapFor(loop.diagonal);
   report.angleLimit = tolerance.angle;
+  report.curvatureLimit = tolerance.curvature;
   report.cornerAngleLimit = std::max(tolerance.cornerAngle, tolerance.angle);
   for (const BoundarySide& side : loop.sides) {
     SideReport entry;

@@ -26,6 +26,7 @@ struct AnglePlace {
   double angle = 0.0;
   double floor = 0.0;
   bool inCorner = false;
+  double curvature = 0.0;  ///< relative mismatch, 0 to 1; 0 in corners
 };
 
 /// One side measured. "Inside" leaves out the 2 % of the length next to either corner, "corner" is

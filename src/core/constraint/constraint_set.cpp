@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/constraint/curvature_rows.h"
 #include "core/constraint/seam_ties.h"
 #include "core/constraint/tangent_plane.h"
 
@@ -60,7 +61,8 @@ std::vector<Meeting> meetings(const boundary::BoundaryLoop& loop,
 }  // namespace
 
 Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
-                                     const layout::PatchLayout& layout) {
+                                     const layout::PatchLayout& layout,
+                                     const solver::Points* about) {
   ConstraintSet set;
   set.fixed.assign(static_cast<std::size_t>(layout.pointCount), 0);
   set.values.setZero(layout.pointCount, 3);
@@ -84,6 +86,8 @@ Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
       if (!rows) return tl::unexpected<Error>(rows.error());
       set.blocks.push_back(std::move(*rows));
     }
+  if (about)
+    if (auto rows = curvatureRows(layout, patches, *about)) set.blocks.push_back(std::move(*rows));
   set.ties = tieSeams(layout);
   return set;
 }

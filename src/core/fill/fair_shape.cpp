@@ -147,18 +147,27 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
   if (!energy) return std::nullopt;
   FairShape shape{
       layout::coarseLayout(plan, layout, {kDensity, kFitShare * diagonal, kMostPolesAlong}), {}};
-  const auto program = makeProgram(plan, shape.layout, EnergyKind::ThinPlate);
+  auto program = makeProgram(plan, shape.layout, EnergyKind::ThinPlate);
   if (!program) return fail(program.error());
-  auto start = solver::solve(*program);
-  if (!start) return fail(start.error());
-  const Descent descent(shape.layout, *energy, *program, diagonal);
-  shape.energyBefore = shape.energy = descent.energyAt(start->points);
+  auto current = solver::solve(*program);
+  if (!current) return fail(current.error());
+  shape.energyBefore = shape.energy =
+      assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
   while (shape.steps < kSteps) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
-    if (!descent.step(start->points, shape.energy)) break;
+    if (asksForCurvature(plan.cut.loop)) {  // the nearest points that meet the sides G2
+      program = makeProgram(
+          plan, shape.layout, EnergyKind::ThinPlate, {current->points, current->points});
+      if (!program) return fail(program.error());
+      current = solver::solve(*program);
+      if (!current) return fail(current.error());
+      shape.energy = assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
+    }
+    const Descent descent(shape.layout, *energy, *program, diagonal);
+    if (!descent.step(current->points, shape.energy)) break;
     ++shape.steps;
   }
-  shape.patches = makePatches(shape.layout, start->points);
+  shape.patches = makePatches(shape.layout, current->points);
   return shape;
 }
 

@@ -31,6 +31,8 @@ constexpr double kFitShare = 0.3;
 // Refinement goes on until the deviations are below this share of the limits: they are sampled, the
 // peaks lie between.
 constexpr double kAim = 0.7;
+// Solves about the last one's solution that make the rows of G2 sides exact.
+constexpr int kNewtonSteps = 3;
 // What an edge that lies off its face may keep of its own angle: the rest of the limit is the
 // solver's.
 constexpr double kFollowAim = 0.65;
@@ -82,11 +84,18 @@ Result<FillResult> fillOn(const Hole& hole,
                           const std::optional<FairShape>& shape,
                           const FillOptions& options) {
   Stopwatch watch;
-  std::optional<solver::Points> target;
-  if (shape) target = pointsOn(layout, shape->patches);
-  auto program = makeProgram(hole.plan, layout, options.energy, target);
+  Aim aim;
+  if (shape) aim.shape = pointsOn(layout, shape->patches);
+  auto program = makeProgram(hole.plan, layout, options.energy, aim);
   if (!program) return fail(program.error());
-  const auto solution = solveGuided(*program, layout, options.guidance);
+  auto solution = solveGuided(*program, layout, options.guidance);
+  const int newtonSteps = asksForCurvature(hole.plan.cut.loop) ? kNewtonSteps : 0;
+  for (int k = 0; solution && k < newtonSteps; ++k) {
+    aim.about = solution->points;
+    program = makeProgram(hole.plan, layout, options.energy, aim);
+    if (!program) return fail(program.error());
+    solution = solveGuided(*program, layout, options.guidance);
+  }
   if (!solution) return fail(solution.error());
   const double solveTime = watch.lap();
   FillResult result = measured(hole, layout, *solution, options.tolerance);

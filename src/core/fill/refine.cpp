@@ -48,7 +48,11 @@ void wishMiddle(const spline::KnotVector& knots, double t, std::set<double>& wis
 // An angle the edge's own tangent forces is not worth a knot; what is beyond it by this factor is.
 constexpr double kBeyondFloor = 1.25;
 
-bool isTooLarge(const analysis::AnglePlace& place, const analysis::FillReport& report, double aim) {
+bool isTooLarge(const analysis::AnglePlace& place,
+                const analysis::FillReport& report,
+                Continuity asked,
+                double aim) {
+  if (asked == Continuity::G2 && place.curvature > aim * report.curvatureLimit) return true;
   const double limit = place.inCorner ? report.cornerAngleLimit : report.angleLimit;
   return place.angle > std::max(aim * limit, kBeyondFloor * place.floor);
 }
@@ -65,6 +69,8 @@ double excess(const analysis::FillReport& report) {
       own = std::max({own,
                       side.angle.max / report.angleLimit,
                       side.cornerAngle.max / report.cornerAngleLimit});
+      if (side.asked == Continuity::G2)
+        own = std::max(own, side.curvature.max / report.curvatureLimit);
       if (side.backwards) own += kBackwards;
     }
     worst = std::max(worst, own);
@@ -119,7 +125,8 @@ std::vector<KnotWish> wishedKnots(const layout::LayoutPlan& plan,
     if (side.asked == Continuity::G0) continue;
     const bool alongU = trace.start[1] == trace.end[1];
     for (const analysis::AnglePlace& place : side.angleCurve) {
-      if (place.t < trace.from || place.t > trace.to || !isTooLarge(place, report, aim)) continue;
+      if (place.t < trace.from || place.t > trace.to || !isTooLarge(place, report, side.asked, aim))
+        continue;
       const Eigen::Vector2d at = trace.at(place.t);
       if (alongU)
         wishMiddle(layout.patches[p].u, at[0], u[p]);

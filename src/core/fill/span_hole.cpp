@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/fill/span_hole.h"
 
+#include <algorithm>
+
 #include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_guidance.h"
 #include "core/constraint/constraint_set.h"
@@ -42,17 +44,24 @@ solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse
 Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
                                              const layout::PatchLayout& layout,
                                              EnergyKind kind,
-                                             const std::optional<solver::Points>& shape) {
-  auto constraints = constraint::constrainSides(plan.cut.loop, layout);
+                                             const Aim& aim) {
+  auto constraints =
+      constraint::constrainSides(plan.cut.loop, layout, aim.about ? &*aim.about : nullptr);
   if (!constraints) return fail(constraints.error());
   solver::QuadraticProgram program;
   program.stiffness = assembly::assembleEnergy(layout, energy::energyTerms(kind));
-  if (shape) program.load = flat(solver::Points(program.stiffness * *shape));
+  if (aim.shape) program.load = flat(solver::Points(program.stiffness * *aim.shape));
   program.fixed = std::move(constraints->fixed);
   program.values = std::move(constraints->values);
   program.ties = std::move(constraints->ties);
   program.blocks = std::move(constraints->blocks);
   return program;
+}
+
+bool asksForCurvature(const boundary::BoundaryLoop& loop) {
+  return std::any_of(loop.sides.begin(), loop.sides.end(), [](const boundary::BoundarySide& side) {
+    return side.continuity == Continuity::G2;
+  });
 }
 
 Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,

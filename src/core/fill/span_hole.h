@@ -22,13 +22,20 @@ using Patches = std::vector<spline::BsplineSurface>;
 /// and knots that contain theirs.
 [[nodiscard]] solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse);
 
-/// What the patches of a layout minimise, and subject to what: the quadratic energy of `kind`, of
-/// the difference to `shape` (points of this layout) where there is one.
-[[nodiscard]] Result<solver::QuadraticProgram> makeProgram(
-    const layout::LayoutPlan& plan,
-    const layout::PatchLayout& layout,
-    EnergyKind kind,
-    const std::optional<solver::Points>& shape = {});
+/// What the patches are drawn to, in points of their layout.
+struct Aim {
+  std::optional<solver::Points> shape;  ///< the energy is that of the difference to it
+  std::optional<solver::Points> about;  ///< where G2 sides are linearised; without it they are G1
+};
+
+/// What the patches of a layout minimise, the quadratic energy of `kind`, and subject to what.
+[[nodiscard]] Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
+                                                           const layout::PatchLayout& layout,
+                                                           EnergyKind kind,
+                                                           const Aim& aim = {});
+
+/// Whether any side asks for G2.
+[[nodiscard]] bool asksForCurvature(const boundary::BoundaryLoop& loop);
 
 /// The minimiser, under guidance where it acts. Guidance is looked up near the shape it acts on:
 /// first the fill without it, then with it.
