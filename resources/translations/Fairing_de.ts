@@ -446,8 +446,8 @@
    <translation>Grad der Fläche, 3 bis 9; nie unter dem der Kanten. Vorgabe: aus den Kanten bestimmt</translation>
   </message>
   <message>
-   <source>Largest number of control points. Default: 10000</source>
-   <translation>Größte Zahl von Kontrollpunkten. Vorgabe: 10000</translation>
+   <source>Largest number of control points. Default: 2500</source>
+   <translation>Größte Zahl von Kontrollpunkten. Vorgabe: 2500</translation>
   </message>
   <message>
    <source>≤ </source>

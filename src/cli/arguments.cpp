@@ -122,7 +122,9 @@ void FillArguments::addTo(CLI::App& command) {
       "--reference", reference, "shape whose faces guide the surface: points and normals");
   command.add_option("--guide", guide, "JSON file with guiding normals");
   command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
-  command.add_option("--max-poles", maxPoles, "largest number of control points (default 10000)");
+  command.add_option("--max-poles",
+                     maxPoles,
+                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
   command.add_option("--result", result, "patches, shell or base (default patches)");
   command.add_option("--report", report, "JSON file for the numbers");
 }

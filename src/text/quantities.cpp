@@ -35,6 +35,7 @@ std::string angle(double degrees) {
 
 std::string percent(double share) {
   if (std::isnan(share)) return "NaN";
+  if (std::abs(share) < 1e-5) return "0 %";
   return fmt::format("{:.{}f} %", 100.0 * share, share < 0.001 ? 3 : share < 0.1 ? 1 : 0);
 }
 

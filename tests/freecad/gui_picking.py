@@ -69,7 +69,7 @@ gui.widget("polesSpin").setValue(150)
 gui.wait_for_verdict("Edge")
 gui.picture("8_out_of_tolerance")
 gui.type_into("angleSpin", "0.02 deg")
-gui.widget("polesSpin").setValue(10000)
+gui.widget("polesSpin").setValue(2500)
 gui.wait_for_verdict()
 
 # A click on a label cycles its edge from G1 to G2 to G0 and back, with shift all of them.
