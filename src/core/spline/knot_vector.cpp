@@ -107,18 +107,23 @@ KnotVector merged(const KnotVector& a, const KnotVector& b, double resolution) {
   FAIRING_ASSERT(a.degree() == b.degree());
   const double close = resolution * (a.last() - a.first());
   std::vector<double> knots;
+  // The copies of a repeated knot that only one of the two has take the value of the others.
+  const auto add = [&](double knot) {
+    const bool again = !knots.empty() && std::abs(knot - knots.back()) <= close;
+    knots.push_back(again ? knots.back() : knot);
+  };
   std::size_t i = 0, j = 0;
   const auto& ka = a.knots();
   const auto& kb = b.knots();
   while (i < ka.size() || j < kb.size()) {
     const bool bothLeft = i < ka.size() && j < kb.size();
     if (bothLeft && std::abs(ka[i] - kb[j]) <= close) {
-      knots.push_back(ka[i++]);
+      add(ka[i++]);
       ++j;
     } else if (j == kb.size() || (bothLeft && ka[i] < kb[j])) {
-      knots.push_back(ka[i++]);
+      add(ka[i++]);
     } else {
-      knots.push_back(kb[j++]);
+      add(kb[j++]);
     }
   }
   return {a.degree(), std::move(knots)};

@@ -76,6 +76,17 @@ TEST(KnotVector, MergedTakesKnotsARoundingApartForOne) {
   EXPECT_EQ(merged(kUneven, other), kUneven);
 }
 
+TEST(KnotVector, MergedGivesCopiesOfAKnotARoundingApartOneValue) {
+  const KnotVector two{3, {0, 0, 0, 0, 0.2, 0.2, 1, 1, 1, 1}};
+  for (const double at : {0.2 + 1e-12, 0.2 - 1e-12}) {
+    const KnotVector three{3, {0, 0, 0, 0, at, at, at, 1, 1, 1, 1}};
+    for (const KnotVector& both : {merged(two, three), merged(three, two)}) {
+      EXPECT_EQ(both.breaks().size(), 3u);
+      EXPECT_THAT(both.multiplicities(), ElementsAre(4, 3, 4));
+    }
+  }
+}
+
 TEST(KnotVector, MergedWithItselfIsItself) {
   EXPECT_EQ(merged(kUneven, kUneven), kUneven);
 }
