@@ -44,9 +44,18 @@ def test_edges_of_two_loops(shape, edges):
     assert_fails_with("SeveralLoops", shape, [edges[0], rim[0]])
 
 
-def test_too_many_sides(shape, edges):
-    rim = next(loop for loop in shape.holes(outer_borders=True) if set(loop) != set(edges))
-    assert_fails_with("WrongSideCount", shape, rim)
+def test_a_layout_that_does_not_suit_the_corners():
+    triangle = exchange.native_shape(Part.makePolygon([(0, 0, 0), (10, 0, 0), (3, 8, 2), (0, 0, 0)]))
+    with pytest.raises(_fairing.FairingError) as caught:
+        triangle.fill([1, 2, 3], layout="quad")
+    assert (caught.value.code, caught.value.value) == ("WrongSideCount", 3)
+    assert_one_sentence(caught.value)
+
+
+def test_too_many_sides():
+    corners = [(100 * math.cos(2 * math.pi * i / 65), 100 * math.sin(2 * math.pi * i / 65), 0) for i in range(65)]
+    polygon = exchange.native_shape(Part.makePolygon(corners + corners[:1]))
+    assert_fails_with("TooManySides", polygon, list(range(1, 66)))
 
 
 def test_an_edge_of_a_closed_solid():
