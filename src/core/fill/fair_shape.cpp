@@ -155,9 +155,12 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
       assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
   while (shape.steps < kSteps) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
-    if (asksForCurvature(plan.cut.loop)) {  // the nearest points that meet the sides G2
-      program = makeProgram(
-          plan, shape.layout, EnergyKind::ThinPlate, {current->points, current->points});
+    if (isIterated(plan.cut.loop, options)) {  // the nearest points that meet all that is asked
+      program = makeProgram(plan,
+                            shape.layout,
+                            EnergyKind::ThinPlate,
+                            {current->points, current->points},
+                            options.through);
       if (!program) return fail(program.error());
       current = solver::solve(*program);
       if (!current) return fail(current.error());

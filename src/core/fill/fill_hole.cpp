@@ -10,6 +10,7 @@
 #include "core/boundary/follow_support.h"
 #include "core/fill/fair_shape.h"
 #include "core/fill/fill_trimmed.h"
+#include "core/fill/pass_through.h"
 #include "core/fill/refine.h"
 #include "core/fill/span_hole.h"
 #include "core/layout/layouts.h"
@@ -31,7 +32,7 @@ constexpr double kFitShare = 0.3;
 // Refinement goes on until the deviations are below this share of the limits: they are sampled, the
 // peaks lie between.
 constexpr double kAim = 0.7;
-// Solves about the last one's solution that make the rows of G2 sides exact.
+// Solves about the last one's solution that make the rows of G2 sides and inner constraints exact.
 constexpr int kNewtonSteps = 3;
 // What an edge that lies off its face may keep of its own angle: the rest of the limit is the
 // solver's.
@@ -46,13 +47,15 @@ struct Hole {
   layout::LayoutPlan plan;
 };
 
-Result<Hole> prepare(const boundary::BoundaryLoop& loop, const FillOptions& options) {
+Result<Hole> prepare(const boundary::BoundaryLoop& loop,
+                     LayoutKind kind,
+                     const FillOptions& options) {
   const Tolerance& tolerance = options.tolerance;
   boundary::BoundaryLoop target =
       boundary::followSupports(loop,
                                kFollowAim * tolerance.angle,
                                kFollowAim * std::max(tolerance.angle, tolerance.cornerAngle));
-  auto plan = layout::planLayout(target, options.layout);
+  auto plan = layout::planLayout(target, kind);
   if (!plan) return fail(plan.error());
   analysis::LoopProbe probe = analysis::probeLoop(loop, target);
   return Hole{loop, std::move(target), std::move(probe), std::move(*plan)};
@@ -61,13 +64,14 @@ Result<Hole> prepare(const boundary::BoundaryLoop& loop, const FillOptions& opti
 FillResult measured(const Hole& hole,
                     const layout::PatchLayout& layout,
                     const solver::Solution& solution,
-                    const Tolerance& tolerance) {
+                    const FillOptions& options) {
   FillResult result;
   result.layout = layout.kind;
   result.patches = makePatches(layout, solution.points);
   result.report = analysis::measureFill(
-      hole.loop, hole.probe, result.patches, sideTraces(hole.plan, layout), tolerance);
+      hole.loop, hole.probe, result.patches, sideTraces(hole.plan, layout), options.tolerance);
   analysis::addSeams(result.report, result.patches, seamTraces(layout));
+  addInner(result.report, result.patches, options.through);
   for (std::size_t k = 0; k < hole.target.sides.size(); ++k)
     result.report.sides[k].followedBy = hole.target.sides[k].followedBy;
   result.reversed.assign(result.patches.size(), result.report.reversed);
@@ -89,31 +93,30 @@ Result<FillResult> fillOn(const Hole& hole,
   auto program = makeProgram(hole.plan, layout, options.energy, aim);
   if (!program) return fail(program.error());
   auto solution = solveGuided(*program, layout, options.guidance);
-  const int newtonSteps = asksForCurvature(hole.plan.cut.loop) ? kNewtonSteps : 0;
+  const int newtonSteps = isIterated(hole.plan.cut.loop, options) ? kNewtonSteps : 0;
   for (int k = 0; solution && k < newtonSteps; ++k) {
     aim.about = solution->points;
-    program = makeProgram(hole.plan, layout, options.energy, aim);
+    program = makeProgram(hole.plan, layout, options.energy, aim, options.through);
     if (!program) return fail(program.error());
     solution = solveGuided(*program, layout, options.guidance);
   }
   if (!solution) return fail(solution.error());
   const double solveTime = watch.lap();
-  FillResult result = measured(hole, layout, *solution, options.tolerance);
+  FillResult result = measured(hole, layout, *solution, options);
   result.summary.solveTime = solveTime;
   result.summary.measureTime = watch.lap();
   result.summary.energy = solver::energy(*program, solution->points);
   return result;
 }
 
-}  // namespace
-
-Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
+// The whole way with one kind of layout.
+Result<FillResult> fillWith(LayoutKind kind,
+                            const boundary::BoundaryLoop& loop,
                             const FillOptions& options,
                             Progress* progress) {
-  if (const auto wrong = validate(options)) return fail(*wrong);
-  if (options.layout == LayoutKind::Trimmed) return fillTrimmed(loop, options, progress);
+  if (kind == LayoutKind::Trimmed) return fillTrimmed(loop, options, progress);
   Stopwatch watch;
-  const auto hole = prepare(loop, options);
+  const auto hole = prepare(loop, kind, options);
   if (!hole) return fail(hole.error());
   const double fitTolerance = kFitShare * options.tolerance.gapFor(loop.diagonal);
   auto layout = layout::makeLayout(hole->plan, {options.degree, fitTolerance, options.maxPoles});
@@ -129,7 +132,8 @@ Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
     auto tried = fillOn(*hole, layout, *shape, options);
     if (!tried) return tried;
     tried->summary.solves = round + 1;
-    const auto wishes = wishedKnots(hole->plan, layout, tried->report, kAim);
+    auto wishes = wishedKnots(hole->plan, layout, tried->report, kAim);
+    wishForInner(layout, tried->patches, tried->report, kAim, wishes);
     best = best ? better(std::move(*best), std::move(*tried)) : std::move(*tried);
     if (progress) progress->setFraction((round + 1.0) / (options.maxRefinements + 1.0));
     if (nothingWished(wishes)) break;
@@ -138,6 +142,26 @@ Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
   best->report.fairness = analysis::measureFairness(best->patches);
   best->summary.layoutTime = layoutTime;
   best->summary.totalTime = watch.total();
+  return std::move(*best);
+}
+
+}  // namespace
+
+Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
+                            const FillOptions& options,
+                            Progress* progress) {
+  if (const auto wrong = validate(options)) return fail(*wrong);
+  if (options.layout != LayoutKind::Auto) return fillWith(options.layout, loop, options, progress);
+  std::optional<Result<FillResult>> best;
+  for (const LayoutKind kind : layout::suitableKinds(loop)) {
+    auto tried = fillWith(kind, loop, options, progress);
+    if (!tried && tried.error().code == ErrorCode::Cancelled) return tried;
+    if (best && *best && tried)
+      best = better(std::move(**best), std::move(*tried));
+    else if (!best || (!*best && tried))
+      best = std::move(tried);
+    if (*best && (*best)->report.withinTolerance) break;
+  }
   return std::move(*best);
 }
 

@@ -6,6 +6,7 @@
 #include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_guidance.h"
 #include "core/constraint/constraint_set.h"
+#include "core/fill/pass_through.h"
 
 namespace fairing {
 namespace {
@@ -44,7 +45,8 @@ solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse
 Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
                                              const layout::PatchLayout& layout,
                                              EnergyKind kind,
-                                             const Aim& aim) {
+                                             const Aim& aim,
+                                             const std::vector<InnerConstraint>& through) {
   auto constraints =
       constraint::constrainSides(plan.cut.loop, layout, aim.about ? &*aim.about : nullptr);
   if (!constraints) return fail(constraints.error());
@@ -55,13 +57,21 @@ Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
   program.values = std::move(constraints->values);
   program.ties = std::move(constraints->ties);
   program.blocks = std::move(constraints->blocks);
+  if (aim.about && !through.empty())
+    for (solver::TieBlock& block : passThrough(layout,
+                                               makePatches(layout, *aim.about),
+                                               through,
+                                               program.fixed,
+                                               plan.cut.loop.diagonal))
+      program.ties.push_back(std::move(block));
   return program;
 }
 
-bool asksForCurvature(const boundary::BoundaryLoop& loop) {
-  return std::any_of(loop.sides.begin(), loop.sides.end(), [](const boundary::BoundarySide& side) {
-    return side.continuity == Continuity::G2;
-  });
+bool isIterated(const boundary::BoundaryLoop& loop, const FillOptions& options) {
+  return !options.through.empty() ||
+         std::any_of(loop.sides.begin(), loop.sides.end(), [](const boundary::BoundarySide& side) {
+           return side.continuity == Continuity::G2;
+         });
 }
 
 Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,

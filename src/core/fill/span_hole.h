@@ -25,17 +25,20 @@ using Patches = std::vector<spline::BsplineSurface>;
 /// What the patches are drawn to, in points of their layout.
 struct Aim {
   std::optional<solver::Points> shape;  ///< the energy is that of the difference to it
-  std::optional<solver::Points> about;  ///< where G2 sides are linearised; without it they are G1
+  /// Where G2 sides and inner constraints are taken; without it sides are G1, constraints left out.
+  std::optional<solver::Points> about;
 };
 
 /// What the patches of a layout minimise, the quadratic energy of `kind`, and subject to what.
-[[nodiscard]] Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
-                                                           const layout::PatchLayout& layout,
-                                                           EnergyKind kind,
-                                                           const Aim& aim = {});
+[[nodiscard]] Result<solver::QuadraticProgram> makeProgram(
+    const layout::LayoutPlan& plan,
+    const layout::PatchLayout& layout,
+    EnergyKind kind,
+    const Aim& aim = {},
+    const std::vector<InnerConstraint>& through = {});
 
-/// Whether any side asks for G2.
-[[nodiscard]] bool asksForCurvature(const boundary::BoundaryLoop& loop);
+/// Whether a program has rows that depend on where they are taken: G2 sides, inner constraints.
+[[nodiscard]] bool isIterated(const boundary::BoundaryLoop& loop, const FillOptions& options);
 
 /// The minimiser, under guidance where it acts. Guidance is looked up near the shape it acts on:
 /// first the fill without it, then with it.

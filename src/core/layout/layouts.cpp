@@ -18,13 +18,10 @@ using spline::KnotVector;
 
 constexpr int kMostSides = 64;
 constexpr double kMostCoarseSpans = 6.0;
+// Fewer control points along a strip than this are not asked for, however many the patches have.
+constexpr int kLeastAlong = 8;
 // Knots of one strip closer than this are one.
 constexpr double kSameKnot = 1e-7;
-
-// The longest a direction may become before the patches are too large.
-int mostPolesAlong(int maxPoles, std::size_t patches) {
-  return std::max(8, static_cast<int>(std::sqrt(maxPoles / static_cast<double>(patches))));
-}
 
 // The sides that run along every strip, in its direction.
 std::vector<std::vector<DirectedSide>> sidesAlongStrips(const LayoutPlan& plan,
@@ -42,15 +39,20 @@ std::vector<std::vector<DirectedSide>> sidesAlongStrips(const LayoutPlan& plan,
   return along;
 }
 
+bool byPoles(const KnotVector& a, const KnotVector& b) {
+  return a.poleCount() < b.poleCount();
+}
+
 }  // namespace
 
-LayoutKind suitableKind(const boundary::BoundaryLoop& loop) {
+std::vector<LayoutKind> suitableKinds(const boundary::BoundaryLoop& loop) {
   const auto roles = cornerRoles(loop);
   const auto corners = std::count(roles.begin(), roles.end(), CornerRole::Corner);
   const auto splits = std::count(roles.begin(), roles.end(), CornerRole::Split);
-  if (corners == 4 && splits == 0) return LayoutKind::Quad;
-  if (corners >= 3) return LayoutKind::Star;
-  return LayoutKind::OGrid;
+  if (corners == 4 && splits == 0) return {LayoutKind::Quad};
+  if (corners >= 3) return {LayoutKind::Star, LayoutKind::Trimmed};
+  if (corners + splits == 0 && bendsSharply(loop)) return {LayoutKind::Trimmed, LayoutKind::OGrid};
+  return {LayoutKind::OGrid, LayoutKind::Trimmed};
 }
 
 Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kind) {
@@ -58,8 +60,10 @@ Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kin
     return fail({.code = ErrorCode::TooManySides, .value = static_cast<double>(loop.sides.size())});
   const auto roles = cornerRoles(loop);
   switch (kind) {
-    case LayoutKind::Auto:
-      return planLayout(loop, suitableKind(loop));
+    case LayoutKind::Auto: {
+      const auto kinds = suitableKinds(loop);
+      return planLayout(loop, kinds.front() == LayoutKind::Trimmed ? kinds.back() : kinds.front());
+    }
     case LayoutKind::Quad:
       return quadPlan(loop, roles);
     case LayoutKind::Star:
@@ -74,13 +78,19 @@ Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kin
 
 PatchLayout makeLayout(const LayoutPlan& plan, const LayoutOptions& options) {
   const Strips strips = stripsOf(plan.mesh);
-  const int most = mostPolesAlong(options.maxPoles, plan.mesh.quads.size());
-  std::vector<KnotVector> knots;
-  for (const auto& sides : sidesAlongStrips(plan, strips))
-    knots.push_back(plan.kind == LayoutKind::Quad
-                        ? chooseKnots(sides, options.degree, options.fitTolerance, most)
-                        : fittingKnots(sides, options.degree, options.fitTolerance, most));
-  return buildLayout(plan, std::move(knots));
+  const auto sides = sidesAlongStrips(plan, strips);
+  int most = std::max(kLeastAlong, options.maxPoles / kLeastAlong);
+  while (true) {
+    std::vector<KnotVector> knots;
+    for (const auto& along : sides)
+      knots.push_back(plan.kind == LayoutKind::Quad
+                          ? chooseKnots(along, options.degree, options.fitTolerance, most)
+                          : fittingKnots(along, options.degree, options.fitTolerance, most));
+    const int longest = std::max_element(knots.begin(), knots.end(), byPoles)->poleCount();
+    PatchLayout layout = buildLayout(plan, std::move(knots));
+    if (layout.pointCount <= options.maxPoles || most == kLeastAlong) return layout;
+    most = std::max(kLeastAlong, static_cast<int>(0.8 * std::min(longest, most)));
+  }
 }
 
 PatchLayout coarseLayout(const LayoutPlan& plan,

@@ -8,11 +8,13 @@
 
 namespace fairing::layout {
 
-/// The kind that suits a loop: quad for four corners, star for three or more, o-grid for two or
-/// fewer, trimmed where none of these has a place for every corner.
-[[nodiscard]] LayoutKind suitableKind(const boundary::BoundaryLoop& loop);
+/// The kinds that suit a loop, the best one first, the next ones for the case that it falls short:
+/// quad for four corners, star for three or more, o-grid for two or fewer; trimmed before it where
+/// the loop is smooth but bends too sharply for a patch.
+[[nodiscard]] std::vector<LayoutKind> suitableKinds(const boundary::BoundaryLoop& loop);
 
-/// How a loop is spanned by a kind; the one list of the choices. Auto takes the suitable one. Fails
+/// How a loop is spanned by a kind; the one list of the choices. Auto takes the first suitable
+/// one that consists of patches. Fails
 /// with TooManySides, and WrongSideCount or LayoutUnfit where the kind does not suit the loop.
 [[nodiscard]] Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kind);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
+#include <optional>
 
 #include "core/layout/loop_picture.h"
 #include "core/spline/quadrature.h"
@@ -41,6 +43,32 @@ double longAxis(const BoundaryLoop& loop, const LoopLength& lengths) {
   constexpr double kRound = 1e-6;
   if (std::abs(harmonic) < kRound * mean) return 0.0;
   return std::arg(std::conj(harmonic)) / (4.0 * std::numbers::pi) * lengths.whole();
+}
+
+// Length at which a smooth loop bends much more sharply than on the whole; nothing where it does
+// so nowhere. A seam ends there, lest one patch has to hold the bend in its middle.
+std::optional<double> sharpestBend(const BoundaryLoop& loop, const LoopLength& lengths) {
+  constexpr int kSamples = 128;
+  constexpr double kSharp = 5.0;  // times the mean
+  std::vector<Eigen::Vector3d> tangents;
+  for (int k = 0; k < kSamples; ++k) {
+    const auto place = lengths.placeAt(lengths.whole() * k / kSamples);
+    tangents.push_back(loop.sides[place.side].ribbon.curve(place.t).derivative.normalized());
+  }
+  std::vector<double> turns;
+  for (std::size_t k = 0; k < kSamples; ++k)
+    turns.push_back((tangents[(k + 1) % kSamples] - tangents[k]).norm());
+  const double mean = std::accumulate(turns.begin(), turns.end(), 0.0) / kSamples;
+  const auto sharpest = std::max_element(turns.begin(), turns.end());
+  if (*sharpest < kSharp * mean) return std::nullopt;
+  const auto centre = static_cast<int>(sharpest - turns.begin());
+  double weight = 0.0, sum = 0.0;  // the bend's centre of gravity, between the samples
+  for (int d = -3; d <= 3; ++d) {
+    const double turn = turns[static_cast<std::size_t>((centre + d + kSamples) % kSamples)];
+    weight += turn;
+    sum += turn * (centre + d + 0.5);
+  }
+  return sum / weight / kSamples * lengths.whole();
 }
 
 // Lengths at which the spokes end: the given places, and more in the widest gaps until there are
@@ -83,6 +111,10 @@ QuadMesh oGridMesh(const std::vector<Eigen::Vector2d>& picture) {
 
 }  // namespace
 
+bool bendsSharply(const BoundaryLoop& loop) {
+  return sharpestBend(loop, LoopLength(loop)).has_value();
+}
+
 Result<LayoutPlan> oGridPlan(const BoundaryLoop& loop, const std::vector<CornerRole>& roles) {
   const LoopLength lengths(loop);
   std::vector<double> places;
@@ -91,7 +123,8 @@ Result<LayoutPlan> oGridPlan(const BoundaryLoop& loop, const std::vector<CornerR
       places.push_back(k + 1 == roles.size() ? 0.0 : lengths.upTo(k + 1));
   if (places.size() > 4) return fail({.code = ErrorCode::LayoutUnfit, .detail = "o-grid"});
   if (places.empty()) {
-    const double start = longAxis(loop, lengths) + lengths.whole() / 8.0;
+    const auto bend = sharpestBend(loop, lengths);
+    const double start = bend ? *bend : longAxis(loop, lengths) + lengths.whole() / 8.0;
     places.push_back(start - lengths.whole() * std::floor(start / lengths.whole()));
   }
   std::vector<boundary::LoopPlace> cuts;

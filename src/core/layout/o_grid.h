@@ -6,6 +6,9 @@
 
 namespace fairing::layout {
 
+/// Whether a loop bends somewhere much more sharply than on the whole.
+[[nodiscard]] bool bendsSharply(const boundary::BoundaryLoop& loop);
+
 // Four patches round an inner one; no patch has a corner on the loop, which may be smooth all
 // round:
 //
@@ -18,8 +21,8 @@ namespace fairing::layout {
 //        B3 ------>------ B0
 //
 /// For loops with at most four places that are not smooth; these are among the B_k, the others are
-/// spread over the lengths between them. On a smooth loop they lie half way between its long and
-/// its short axis. Fails with LayoutUnfit.
+/// spread over the lengths between them. On a smooth loop one lies in its sharpest bend, if it has
+/// one, or else they lie half way between its long and its short axis. Fails with LayoutUnfit.
 [[nodiscard]] Result<LayoutPlan> oGridPlan(const boundary::BoundaryLoop& loop,
                                            const std::vector<CornerRole>& roles);
 

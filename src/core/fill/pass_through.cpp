@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/fill/pass_through.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/nearest_patch.h"
+#include "core/spline/bspline_basis.h"
+
+namespace fairing {
+namespace {
+
+constexpr int kMeasured = 33;  // places of a curve
+constexpr double kShortestSpan = 1e-3;
+
+double lengthOf(const InnerConstraint& constraint) {
+  double length = 0.0;
+  for (int k = 0; k + 1 < kMeasured; ++k)
+    length +=
+        (constraint.at((k + 1.0) / (kMeasured - 1)) - constraint.at(k / (kMeasured - 1.0))).norm();
+  return length;
+}
+
+std::vector<Eigen::Vector3d> placesOf(const InnerConstraint& constraint, int count) {
+  if (constraint.isPoint || count < 2) return {constraint.at(0.0)};
+  std::vector<Eigen::Vector3d> places;
+  for (int k = 0; k < count; ++k)
+    places.push_back(constraint.at(static_cast<double>(k) / (count - 1)));
+  return places;
+}
+
+solver::TieRow rowAt(const layout::LayoutPatch& patch,
+                     const analysis::SurfaceFoot& foot,
+                     const Eigen::Vector3d& point) {
+  const spline::BasisRow bu = spline::basisRow(patch.u, foot.u),
+                         bv = spline::basisRow(patch.v, foot.v);
+  solver::TieRow row;
+  row.right = point;
+  for (int i = 0; i <= patch.u.degree(); ++i)
+    for (int j = 0; j <= patch.v.degree(); ++j) {
+      row.points.push_back(patch.points[static_cast<std::size_t>(
+          (bu.first + i) * patch.v.poleCount() + bv.first + j)]);
+      row.weights.push_back(bu.values(0, i) * bv.values(0, j));
+    }
+  return row;
+}
+
+// The middle of the span that holds t.
+void wishMiddle(const spline::KnotVector& knots, double t, std::vector<double>& wishes) {
+  const std::vector<double> breaks = knots.breaks();
+  const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
+  const double low = *(above - 1), high = *above;
+  if (high - low > 2.0 * kShortestSpan * (knots.last() - knots.first()))
+    wishes.push_back(0.5 * (low + high));
+}
+
+}  // namespace
+
+std::vector<solver::TieBlock> passThrough(const layout::PatchLayout& layout,
+                                          const Patches& about,
+                                          const std::vector<InnerConstraint>& constraints,
+                                          const std::vector<char>& fixed,
+                                          double diagonal) {
+  // Half as dense as control points would lie along a line as long as the hole is wide.
+  const double density = 0.5 * std::sqrt(static_cast<double>(layout.pointCount)) / (0.7 * diagonal);
+  solver::TieBlock block;
+  for (const InnerConstraint& constraint : constraints) {
+    const int count =
+        constraint.isPoint ? 1 : std::max(3, static_cast<int>(density * lengthOf(constraint)));
+    for (const Eigen::Vector3d& place : placesOf(constraint, count)) {
+      const analysis::PatchFoot near = analysis::nearestPatch(about, place);
+      const auto row =
+          rowAt(layout.patches[static_cast<std::size_t>(near.patch)], near.foot, place);
+      const bool onBorder = std::all_of(row.points.begin(), row.points.end(), [&](int p) {
+        return fixed[static_cast<std::size_t>(p)] != 0;
+      });
+      if (onBorder) continue;
+      block.solvedFor.insert(block.solvedFor.end(), row.points.begin(), row.points.end());
+      block.rows.push_back(row);
+    }
+  }
+  if (block.rows.empty()) return {};
+  return {block};
+}
+
+void addInner(analysis::FillReport& report,
+              const Patches& patches,
+              const std::vector<InnerConstraint>& constraints) {
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    analysis::InnerReport inner;
+    inner.number = static_cast<int>(k) + 1;
+    double sum = 0.0;
+    const auto places = placesOf(constraints[k], kMeasured);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double distance = analysis::nearestPatch(patches, places[i]).foot.distance;
+      sum += distance * distance;
+      if (i > 0 && distance <= inner.gap.max) continue;
+      inner.gap.max = distance;
+      inner.gap.where = places[i];
+      inner.gap.parameter = static_cast<double>(i) / kMeasured;
+    }
+    inner.gap.count = static_cast<int>(places.size());
+    inner.gap.rms = std::sqrt(sum / inner.gap.count);
+    report.largestInnerGap = std::max(report.largestInnerGap, inner.gap.max);
+    report.inner.push_back(inner);
+  }
+  report.withinTolerance = report.withinTolerance && report.largestInnerGap <= report.gapLimit;
+}
+
+void wishForInner(const layout::PatchLayout& layout,
+                  const Patches& patches,
+                  const analysis::FillReport& report,
+                  double aim,
+                  std::vector<layout::KnotWish>& wishes) {
+  for (const analysis::InnerReport& inner : report.inner) {
+    if (inner.gap.max <= aim * report.gapLimit) continue;
+    const analysis::PatchFoot near = analysis::nearestPatch(patches, inner.gap.where);
+    const auto p = static_cast<std::size_t>(near.patch);
+    wishMiddle(layout.patches[p].u, near.foot.u, wishes[p].u);
+    wishMiddle(layout.patches[p].v, near.foot.v, wishes[p].v);
+  }
+}
+
+}  // namespace fairing

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "core/analysis/continuity_report.h"
+#include "core/constraint/inner_constraint.h"
+#include "core/fill/span_hole.h"
+#include "core/layout/layouts.h"
+
+namespace fairing {
+
+/// Patches pass through given points: R(u, v) = P at the feet of the points on `about`, as ties of
+/// the control points near them. A curve is taken at places about as dense as the control points.
+/// Repeated about its own solution, the feet and the points become one.
+[[nodiscard]] std::vector<solver::TieBlock> passThrough(
+    const layout::PatchLayout& layout,
+    const Patches& about,
+    const std::vector<InnerConstraint>& constraints,
+    const std::vector<char>& fixed,
+    double diagonal);
+
+/// Adds to a report how far the patches miss the constraints: they count as gaps do.
+void addInner(analysis::FillReport& report,
+              const Patches& patches,
+              const std::vector<InnerConstraint>& constraints);
+
+/// Adds the middles of the spans where a constraint is missed by more than `aim` times the gap's
+/// limit.
+void wishForInner(const layout::PatchLayout& layout,
+                  const Patches& patches,
+                  const analysis::FillReport& report,
+                  double aim,
+                  std::vector<layout::KnotWish>& wishes);
+
+}  // namespace fairing
