@@ -151,6 +151,7 @@ Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
                             const FillOptions& options,
                             Progress* progress) {
   if (const auto wrong = validate(options)) return fail(*wrong);
+  if (const auto tooMany = layout::tooManySides(loop)) return fail(*tooMany);
   if (options.layout != LayoutKind::Auto) return fillWith(options.layout, loop, options, progress);
   std::optional<Result<FillResult>> best;
   for (const LayoutKind kind : layout::suitableKinds(loop)) {

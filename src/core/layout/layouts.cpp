@@ -16,7 +16,6 @@ namespace {
 
 using spline::KnotVector;
 
-constexpr int kMostSides = 64;
 constexpr double kMostCoarseSpans = 6.0;
 // Fewer control points along a strip than this are not asked for, however many the patches have.
 constexpr int kLeastAlong = 8;
@@ -45,6 +44,12 @@ bool byPoles(const KnotVector& a, const KnotVector& b) {
 
 }  // namespace
 
+std::optional<Error> tooManySides(const boundary::BoundaryLoop& loop) {
+  constexpr std::size_t kMostSides = 64;
+  if (loop.sides.size() <= kMostSides) return std::nullopt;
+  return Error{.code = ErrorCode::TooManySides, .value = static_cast<double>(loop.sides.size())};
+}
+
 std::vector<LayoutKind> suitableKinds(const boundary::BoundaryLoop& loop) {
   const auto roles = cornerRoles(loop);
   const auto corners = std::count(roles.begin(), roles.end(), CornerRole::Corner);
@@ -56,8 +61,7 @@ std::vector<LayoutKind> suitableKinds(const boundary::BoundaryLoop& loop) {
 }
 
 Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kind) {
-  if (loop.sides.size() > kMostSides)
-    return fail({.code = ErrorCode::TooManySides, .value = static_cast<double>(loop.sides.size())});
+  if (const auto tooMany = tooManySides(loop)) return fail(*tooMany);
   const auto roles = cornerRoles(loop);
   switch (kind) {
     case LayoutKind::Auto: {

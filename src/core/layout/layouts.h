@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -7,6 +8,9 @@
 #include "core/layout/patch_layout.h"
 
 namespace fairing::layout {
+
+/// TooManySides for more than 64, which no layout spans.
+[[nodiscard]] std::optional<Error> tooManySides(const boundary::BoundaryLoop& loop);
 
 /// The kinds that suit a loop, the best one first, the next ones for the case that it falls short:
 /// quad for four corners, star for three or more, o-grid for two or fewer; trimmed before it where
