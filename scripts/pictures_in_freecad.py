@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What scripts/pictures does inside FreeCAD: makes shapes with a hole, fills each through the Python package and
+leaves a picture of every fill in $FAIRING_OUTPUT: the base in grey, a colour a patch, its isolines and borders."""
+
+import math
+import os
+import sys
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+OUTPUT = os.environ["FAIRING_OUTPUT"]
+sys.path.insert(0, os.path.join(ROOT, "tests", "freecad"))
+
+import gui  # noqa: E402
+
+import fairing  # noqa: E402
+
+SIZE = 900, 600  # pixels
+GREY = (0.84, 0.86, 0.89)
+COLORS = ((0.36, 0.62, 0.84), (0.96, 0.72, 0.36), (0.51, 0.76, 0.52), (0.87, 0.49, 0.48), (0.66, 0.57, 0.82),
+          (0.42, 0.76, 0.76), (0.93, 0.83, 0.42), (0.75, 0.60, 0.47))
+ISOLINES = 7  # of a patch, in either direction
+
+
+def wavy_sheet() -> Part.Face:
+    """A sheet of 120 x 90 mm in waves of a few mm."""
+    def height(x, y):
+        return 9.0 * math.sin(x / 21.0 + 0.4) * math.cos(y / 26.0) + 0.002 * x * x
+
+    grid = [[App.Vector(x, y, height(x, y)) for y in range(-45, 46, 6)] for x in range(-60, 61, 6)]
+    surface = Part.BSplineSurface()
+    surface.interpolate(grid)
+    return surface.toShape()
+
+
+def with_hole(wire: Part.Wire) -> tuple:
+    """The sheet without what lies under a plane outline; the names of the edges round the hole."""
+    prism = Part.Face(wire).extrude(App.Vector(0, 0, 200))
+    prism.translate(App.Vector(0, 0, -100))
+    shape = wavy_sheet().cut(prism)
+    return shape, fairing.holes(shape)[0]
+
+
+def polygon(*corners) -> Part.Wire:
+    points = [App.Vector(x, y, 0) for x, y in corners]
+    return Part.makePolygon(points + points[:1])
+
+
+def l_shape() -> Part.Wire:
+    return polygon((-34, -26), (34, -26), (34, 4), (2, 4), (2, 28), (-34, 28))
+
+
+def pentagon() -> Part.Wire:
+    return polygon(*((30 * math.cos(a), 30 * math.sin(a)) for a in (0.3 + k * 0.4 * math.pi for k in range(5))))
+
+
+def circle() -> Part.Wire:
+    return Part.Wire(Part.makeCircle(28))
+
+
+def rounded_corner() -> tuple:
+    """A box with its three edges at one corner rounded, without the face where the fillets meet."""
+    size = 40.0
+    box = Part.makeBox(size, size, size)
+    corner = App.Vector(size, size, size)
+    edges = [edge for edge in box.Edges if any(vertex.Point.isEqual(corner, 1e-6) for vertex in edge.Vertexes)]
+    solid = box.makeFillet(12.0, edges)
+    middle = min(solid.Faces, key=lambda face: face.CenterOfMass.distanceToPoint(corner))
+    shape = Part.makeShell([face for face in solid.Faces if not face.isSame(middle)])
+    return shape, fairing.holes(shape)[0]
+
+
+def isolines(face: Part.Face) -> Part.Shape:
+    """Lines of constant u and v of a patch, without its borders; of a trimmed face what lies on it."""
+    surface = face.Surface
+    u0, u1, v0, v1 = surface.bounds()
+    shares = [(k + 1) / (ISOLINES + 1) for k in range(ISOLINES)]
+    lines = [surface.uIso(u0 + s * (u1 - u0)).toShape() for s in shares]
+    lines += [surface.vIso(v0 + s * (v1 - v0)).toShape() for s in shares]
+    if len(face.Edges) != 4:
+        lines = [face.common(line) for line in lines]
+    return Part.makeCompound(lines)
+
+
+def show(document, name: str, shape: Part.Shape, color: tuple, width: float):
+    obj = document.addObject("Part::Feature", name)
+    obj.Shape = shape
+    view = obj.ViewObject
+    view.Deviation, view.AngularDeflection = 0.02, 4.0
+    view.ShapeColor, view.LineWidth, view.PointSize = color, width, 1.0
+    view.LineColor = (0.13, 0.15, 0.18)
+    return obj
+
+
+def picture(name: str, base: Part.Shape, edges: list, turn: float, tilt: float, margin=1.1, **options):
+    """Fills, shows, saves; the camera is turned about z and tilted from above, degrees; margin is the
+    height of the picture over that of the patches."""
+    filled, report = fairing.fill(base, edges=edges, **options)
+    print(f"{name}: {report['layout']}, {len(filled.Faces)} patches, within tolerance: {report['within_tolerance']}")
+    document = App.newDocument(name)
+    show(document, "Base", base, GREY, 1.5)
+    patches = []
+    for k, face in enumerate(filled.Faces):
+        patches.append(show(document, "Patch", face, COLORS[k % len(COLORS)], 2.5))
+        show(document, "Isolines", isolines(face), GREY, 1.0)
+    view = Gui.ActiveDocument.ActiveView
+    view.setAnimationEnabled(False)
+    view.setCameraType("Orthographic")
+    view.setCameraOrientation(App.Rotation(App.Vector(0, 0, 1), turn).multiply(
+        App.Rotation(App.Vector(1, 0, 0), tilt)))
+    for patch in patches:
+        Gui.Selection.addSelection(patch)
+    Gui.SendMsgToActiveView("ViewSelection")
+    Gui.Selection.clearSelection()
+    height = view.getCameraNode().height
+    height.setValue(margin * height.getValue())
+    gui.pump(0.3)
+    view.saveImage(os.path.join(OUTPUT, name + ".png"), *SIZE, "White")
+    App.closeDocument(document.Name)
+
+
+def main():
+    gui.start()
+    picture("star_fill", *rounded_corner(), turn=118, tilt=50, margin=1.4)
+    picture("star_fill_pentagon", *with_hole(pentagon()), turn=-25, tilt=48)
+    picture("star_fill_l", *with_hole(l_shape()), turn=-25, tilt=48, layout="star")
+    picture("o_grid_fill", *with_hole(circle()), turn=-25, tilt=48)
+    picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
+
+
+main()
