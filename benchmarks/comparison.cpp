@@ -2,6 +2,7 @@
 #include "benchmarks/comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -9,6 +10,16 @@ namespace fairing::benchmarks {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();  // printed as "nan"
+
+// Those that are numbers.
+std::vector<double> present(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  return values;
+}
+
+double least(const std::vector<double>& values) {
+  return values.empty() ? kMissing : *std::min_element(values.begin(), values.end());
+}
 
 double at(const std::map<std::string, double>& values, const std::string& method) {
   const auto found = values.find(method);
@@ -75,7 +86,10 @@ void Comparison::printTimes() const {
                 at(row.time, kConstrained),
                 solveRatios.back());
   }
+  wholeRatios = present(wholeRatios);
+  solveRatios = present(solveRatios);
   std::printf("%-40s%8.2f%26s%8.2f\n", "median", median(wholeRatios), "", median(solveRatios));
+  std::printf("%-40s%8.2f%26s%8.2f\n", "least", least(wholeRatios), "", least(solveRatios));
 }
 
 void Comparison::printDeviations() const {

@@ -100,7 +100,10 @@ bool addHole(const Hole& hole) {
   add(hole, kFairing, [=](State& state) { wholeFill(state, hole); });
   add(hole, kSolve, [=](State& state) { bareSolve(state, *loop); })->UseManualTime();
   add(hole, kMakeFilling, [=](State& state) { occtFill(state, *loop, sides, makeFilling); });
-  add(hole, kConstrained, [=](State& state) { occtFill(state, *loop, sides, constrainedFilling); });
+  if (suitsConstrainedFilling(sides))
+    add(hole, kConstrained, [=](State& state) {
+      occtFill(state, *loop, sides, constrainedFilling);
+    });
   return true;
 }
 

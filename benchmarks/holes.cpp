@@ -7,15 +7,11 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <GeomAPI_PointsToBSplineSurface.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
-#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -23,6 +19,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include "benchmarks/graph.h"
+#include "benchmarks/many_sided_holes.h"
 
 namespace fairing::benchmarks {
 namespace {
@@ -33,27 +33,6 @@ constexpr double kPi = std::numbers::pi;
 
 // Cuts of a parameter range: the middle one of the three pieces is left out.
 using Cuts = std::array<double, 4>;
-
-// The free edge whose middle lies nearest to a point.
-int freeEdgeAt(const TopoDS_Shape& shape, const gp_Pnt& point) {
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
-  TopTools_IndexedDataMapOfShapeListOfShape faces;
-  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
-  int nearest = 0;
-  double least = std::numeric_limits<double>::max();
-  for (int number = 1; number <= edges.Extent(); ++number) {
-    if (faces.FindFromKey(edges(number)).Extent() != 1) continue;
-    const BRepAdaptor_Curve curve(TopoDS::Edge(edges(number)));
-    const double distance =
-        curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter())).Distance(point);
-    if (distance < least) {
-      least = distance;
-      nearest = number;
-    }
-  }
-  return nearest;
-}
 
 // Three by three pieces of a surface without the one in the middle.
 Hole sheet(const std::string& name,
@@ -71,24 +50,6 @@ Hole sheet(const std::string& name,
   sewing.Perform();
   const TopoDS_Shape shape = sewing.SewedShape();
   return {name, shape, freeEdgeAt(shape, surface->Value(0.5 * (u[1] + u[2]), v[1]))};
-}
-
-// z = height(x, y) over [-1, 1]^2, interpolated on a grid, with 50 mm to the unit.
-template <class Height>
-Handle(Geom_Surface) graph(Height height) {
-  constexpr int kGrid = 15;
-  constexpr double kScale = 50.0;
-  TColgp_Array2OfPnt points(1, kGrid, 1, kGrid);
-  for (int i = 1; i <= kGrid; ++i) {
-    for (int j = 1; j <= kGrid; ++j) {
-      const double x = 2.0 * (i - 1) / (kGrid - 1) - 1.0;
-      const double y = 2.0 * (j - 1) / (kGrid - 1) - 1.0;
-      points(i, j) = gp_Pnt(kScale * x, kScale * y, kScale * height(x, y));
-    }
-  }
-  GeomAPI_PointsToBSplineSurface fit;
-  fit.Interpolate(points);
-  return Handle(Geom_Surface)(fit.Surface());
 }
 
 Hole graphSheet(const std::string& name, const Handle(Geom_Surface) & surface) {
@@ -151,7 +112,7 @@ std::vector<Hole> makeHoles() {
   const gp_Ax3 frame;
   const Cuts turn{0.2 * kPi, 0.35 * kPi, 0.65 * kPi, 0.8 * kPi};
   const Cuts tilt{-0.35 * kPi, -0.15 * kPi, 0.15 * kPi, 0.35 * kPi};
-  return {
+  std::vector<Hole> holes{
       sheet("torus", new Geom_ToroidalSurface(frame, 40.0, 15.0), turn, tilt),
       sheet("sphere", new Geom_SphericalSurface(frame, 30.0), turn, tilt),
       sheet("cylinder", new Geom_CylindricalSurface(frame, 20.0), turn, {0.0, 20.0, 50.0, 70.0}),
@@ -163,6 +124,8 @@ std::vector<Hole> makeHoles() {
                  graph([](double x, double y) { return 0.4 * std::exp(-3.0 * (x * x + y * y)); })),
       filletCorner(),
   };
+  for (Hole& hole : manySidedHoles()) holes.push_back(std::move(hole));
+  return holes;
 }
 
 }  // namespace fairing::benchmarks

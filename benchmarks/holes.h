@@ -6,7 +6,7 @@
 
 namespace fairing::benchmarks {
 
-/// A shape with a hole of four sides, made with OpenCASCADE's own builders.
+/// A shape with a hole, made with OpenCASCADE's own builders.
 struct Hole {
   std::string name;
   TopoDS_Shape shape;
@@ -14,7 +14,8 @@ struct Hole {
 };
 
 /// Holes in sheets of one surface (torus, sphere, cylinder, saddle, waves) and a box corner where
-/// three fillets of different radii meet; sizes in mm, about 10 to 100.
+/// three fillets of different radii meet, all with four sides; and manySidedHoles(). Sizes in mm,
+/// about 10 to 100.
 [[nodiscard]] std::vector<Hole> makeHoles();
 
 }  // namespace fairing::benchmarks

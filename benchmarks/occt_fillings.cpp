@@ -41,11 +41,19 @@ TopoDS_Shape makeFilling(const std::vector<OcctSide>& sides) {
   }
 }
 
+bool suitsConstrainedFilling(const std::vector<OcctSide>& sides) {
+  return sides.size() == 3 || sides.size() == 4;
+}
+
 TopoDS_Shape constrainedFilling(const std::vector<OcctSide>& sides) {
-  if (sides.size() != 4) return {};
+  if (!suitsConstrainedFilling(sides)) return {};
   try {
     GeomFill_ConstrainedFilling filling(8, 15);
-    filling.Init(boundOf(sides[0]), boundOf(sides[1]), boundOf(sides[2]), boundOf(sides[3]));
+    if (sides.size() == 3) {
+      filling.Init(boundOf(sides[0]), boundOf(sides[1]), boundOf(sides[2]));
+    } else {
+      filling.Init(boundOf(sides[0]), boundOf(sides[1]), boundOf(sides[2]), boundOf(sides[3]));
+    }
     const Handle(Geom_BSplineSurface) surface = filling.Surface();
     if (surface.IsNull()) return {};
     return BRepBuilderAPI_MakeFace(surface, kGapTolerance).Shape();

@@ -17,7 +17,10 @@ struct OcctSide {
 /// failure.
 [[nodiscard]] TopoDS_Shape makeFilling(const std::vector<OcctSide>& sides);
 
-/// GeomFill_ConstrainedFilling, degree at most 8, 15 segments, tangent to every face; four sides in
+/// Three sides or four: what GeomFill_ConstrainedFilling takes.
+[[nodiscard]] bool suitsConstrainedFilling(const std::vector<OcctSide>& sides);
+
+/// GeomFill_ConstrainedFilling, degree at most 8, 15 segments, tangent to every face; sides in
 /// order. Null on failure.
 [[nodiscard]] TopoDS_Shape constrainedFilling(const std::vector<OcctSide>& sides);
 
