@@ -28,6 +28,7 @@ def open_panel(document, edge):
 def start_a_long_solve(document, edge):
     open_panel(document, edge)
     gui.wait_for_verdict()
+    gui.type_into("polesSpin", "40000")
     gui.type_into("angleSpin", f"{LONG_ANGLE} deg")
     gui.wait_for(lambda: gui.widget("stopButton").isVisible(), "the progress bar of a long solve")
     assert solving_threads()

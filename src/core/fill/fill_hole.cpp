@@ -133,7 +133,7 @@ Result<FillResult> fillWith(LayoutKind kind,
     if (!tried) return tried;
     tried->summary.solves = round + 1;
     auto wishes = wishedKnots(hole->plan, layout, tried->report, kAim);
-    wishForInner(layout, tried->patches, tried->report, kAim, wishes);
+    wishForInner(layout, tried->patches, options.through, kAim * tried->report.gapLimit, wishes);
     best = best ? better(std::move(*best), std::move(*tried)) : std::move(*tried);
     if (progress) progress->setFraction((round + 1.0) / (options.maxRefinements + 1.0));
     if (nothingWished(wishes)) break;

@@ -109,16 +109,17 @@ void addInner(analysis::FillReport& report,
 
 void wishForInner(const layout::PatchLayout& layout,
                   const Patches& patches,
-                  const analysis::FillReport& report,
-                  double aim,
+                  const std::vector<InnerConstraint>& constraints,
+                  double limit,
                   std::vector<layout::KnotWish>& wishes) {
-  for (const analysis::InnerReport& inner : report.inner) {
-    if (inner.gap.max <= aim * report.gapLimit) continue;
-    const analysis::PatchFoot near = analysis::nearestPatch(patches, inner.gap.where);
-    const auto p = static_cast<std::size_t>(near.patch);
-    wishMiddle(layout.patches[p].u, near.foot.u, wishes[p].u);
-    wishMiddle(layout.patches[p].v, near.foot.v, wishes[p].v);
-  }
+  for (const InnerConstraint& constraint : constraints)
+    for (const Eigen::Vector3d& place : placesOf(constraint, kMeasured)) {
+      const analysis::PatchFoot near = analysis::nearestPatch(patches, place);
+      if (near.foot.distance <= limit) continue;
+      const auto p = static_cast<std::size_t>(near.patch);
+      wishMiddle(layout.patches[p].u, near.foot.u, wishes[p].u);
+      wishMiddle(layout.patches[p].v, near.foot.v, wishes[p].v);
+    }
 }
 
 }  // namespace fairing

@@ -24,12 +24,11 @@ void addInner(analysis::FillReport& report,
               const Patches& patches,
               const std::vector<InnerConstraint>& constraints);
 
-/// Adds the middles of the spans where a constraint is missed by more than `aim` times the gap's
-/// limit.
+/// Adds the middles of all spans in which a constraint is missed by more than `limit` mm.
 void wishForInner(const layout::PatchLayout& layout,
                   const Patches& patches,
-                  const analysis::FillReport& report,
-                  double aim,
+                  const std::vector<InnerConstraint>& constraints,
+                  double limit,
                   std::vector<layout::KnotWish>& wishes);
 
 }  // namespace fairing
