@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/analysis/nearest_patch.h"
 #include "core/spline/bspline_basis.h"
@@ -12,14 +13,6 @@ namespace {
 
 constexpr int kMeasured = 33;  // places of a curve
 constexpr double kShortestSpan = 1e-3;
-
-double lengthOf(const InnerConstraint& constraint) {
-  double length = 0.0;
-  for (int k = 0; k + 1 < kMeasured; ++k)
-    length +=
-        (constraint.at((k + 1.0) / (kMeasured - 1)) - constraint.at(k / (kMeasured - 1.0))).norm();
-  return length;
-}
 
 std::vector<Eigen::Vector3d> placesOf(const InnerConstraint& constraint, int count) {
   if (constraint.isPoint || count < 2) return {constraint.at(0.0)};
@@ -45,6 +38,24 @@ solver::TieRow rowAt(const layout::LayoutPatch& patch,
   return row;
 }
 
+// How many places of a curve patches can be held at: their restriction to it is a spline with a
+// knot wherever it crosses one of theirs.
+int freedomsAlong(const Patches& patches, const InnerConstraint& constraint) {
+  if (constraint.isPoint) return 1;
+  int crossings = 0, degree = 0;
+  std::optional<analysis::PatchFoot> before;
+  for (const Eigen::Vector3d& place : placesOf(constraint, kMeasured)) {
+    const analysis::PatchFoot near = analysis::nearestPatch(patches, place);
+    const spline::BsplineSurface& patch = patches[static_cast<std::size_t>(near.patch)];
+    degree = std::max({degree, patch.u.degree(), patch.v.degree()});
+    if (before && before->patch == near.patch)
+      crossings += std::abs(patch.u.span(near.foot.u) - patch.u.span(before->foot.u)) +
+                   std::abs(patch.v.span(near.foot.v) - patch.v.span(before->foot.v));
+    before = near;
+  }
+  return crossings + degree + 1;
+}
+
 // The middle of the span that holds t.
 void wishMiddle(const spline::KnotVector& knots, double t, std::vector<double>& wishes) {
   const std::vector<double> breaks = knots.breaks();
@@ -59,26 +70,19 @@ void wishMiddle(const spline::KnotVector& knots, double t, std::vector<double>& 
 std::vector<solver::TieBlock> passThrough(const layout::PatchLayout& layout,
                                           const Patches& about,
                                           const std::vector<InnerConstraint>& constraints,
-                                          const std::vector<char>& fixed,
-                                          double diagonal) {
-  // Half as dense as control points would lie along a line as long as the hole is wide.
-  const double density = 0.5 * std::sqrt(static_cast<double>(layout.pointCount)) / (0.7 * diagonal);
+                                          const std::vector<char>& taken) {
   solver::TieBlock block;
-  for (const InnerConstraint& constraint : constraints) {
-    const int count =
-        constraint.isPoint ? 1 : std::max(3, static_cast<int>(density * lengthOf(constraint)));
-    for (const Eigen::Vector3d& place : placesOf(constraint, count)) {
+  for (const InnerConstraint& constraint : constraints)
+    for (const Eigen::Vector3d& place : placesOf(constraint, freedomsAlong(about, constraint))) {
       const analysis::PatchFoot near = analysis::nearestPatch(about, place);
       const auto row =
           rowAt(layout.patches[static_cast<std::size_t>(near.patch)], near.foot, place);
-      const bool onBorder = std::all_of(row.points.begin(), row.points.end(), [&](int p) {
-        return fixed[static_cast<std::size_t>(p)] != 0;
-      });
-      if (onBorder) continue;
-      block.solvedFor.insert(block.solvedFor.end(), row.points.begin(), row.points.end());
+      const std::size_t before = block.solvedFor.size();
+      for (const int point : row.points)
+        if (!taken[static_cast<std::size_t>(point)]) block.solvedFor.push_back(point);
+      if (block.solvedFor.size() == before) continue;
       block.rows.push_back(row);
     }
-  }
   if (block.rows.empty()) return {};
   return {block};
 }

@@ -10,14 +10,14 @@
 namespace fairing {
 
 /// Patches pass through given points: R(u, v) = P at the feet of the points on `about`, as ties of
-/// the control points near them. A curve is taken at places about as dense as the control points.
+/// the control points near them. A curve is taken at as many places as the patches have freedoms
+/// along it. Points flagged as `taken` belong to the sides and are left to them.
 /// Repeated about its own solution, the feet and the points become one.
 [[nodiscard]] std::vector<solver::TieBlock> passThrough(
     const layout::PatchLayout& layout,
     const Patches& about,
     const std::vector<InnerConstraint>& constraints,
-    const std::vector<char>& fixed,
-    double diagonal);
+    const std::vector<char>& taken);
 
 /// Adds to a report how far the patches miss the constraints: they count as gaps do.
 void addInner(analysis::FillReport& report,

@@ -15,6 +15,15 @@ Eigen::VectorXd flat(const solver::Points& points) {
   return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size());
 }
 
+// Points that the sides fix or solve for: nothing else may.
+std::vector<char> takenPoints(const solver::QuadraticProgram& program) {
+  std::vector<char> taken = program.fixed;
+  for (const solver::ConstraintBlock& block : program.blocks)
+    for (const solver::LinearRow& row : block.rows)
+      for (const int point : row.points) taken[static_cast<std::size_t>(point)] = 1;
+  return taken;
+}
+
 }  // namespace
 
 Patches makePatches(const layout::PatchLayout& layout, const solver::Points& points) {
@@ -58,11 +67,8 @@ Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
   program.ties = std::move(constraints->ties);
   program.blocks = std::move(constraints->blocks);
   if (aim.about && !through.empty())
-    for (solver::TieBlock& block : passThrough(layout,
-                                               makePatches(layout, *aim.about),
-                                               through,
-                                               program.fixed,
-                                               plan.cut.loop.diagonal))
+    for (solver::TieBlock& block :
+         passThrough(layout, makePatches(layout, *aim.about), through, takenPoints(program)))
       program.ties.push_back(std::move(block));
   return program;
 }
