@@ -7,7 +7,7 @@
 
 namespace fairing::boundary {
 
-/// Arc length over the stretch [from, to] of a ribbon's curve, either way; mm. Good to about 1e-12
+/// Arc length over the stretch [from, to], from < to, of a ribbon's curve; mm. Good to about 1e-12
 /// of the length where the curve is smooth between its knots. Costs about 300 evaluations to make
 /// and five a query.
 class ArcLength {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/fill/fair_shape.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fill/fill_hole.h"
+#include "core/layout/layouts.h"
+#include "support/many_sided_loops.h"
+
+namespace fairing {
+namespace {
+
+using namespace ::fairing::testing;  // NOLINT: the whole vocabulary of known loops
+
+std::optional<FairShape> shapeOf(const Sides& sides, EnergyKind energy) {
+  const auto loop = finished(sides);
+  const auto plan = layout::planLayout(loop, LayoutKind::Auto).value();
+  const auto layout = layout::makeLayout(plan, {.fitTolerance = 1e-6 * loop.diagonal});
+  FillOptions options;
+  options.energy = energy;
+  auto shape = fairShape(plan, layout, options, loop.diagonal, nullptr);
+  EXPECT_TRUE(shape.has_value());
+  return shape ? std::move(*shape) : std::nullopt;
+}
+
+TEST(FairShape, LowersTheEnergyOfTheShape) {
+  for (const Sides& sides :
+       {sphereOctant(10.0), polygonOn(waves(), 5), circleOn(waves(), 0.8), polygonOn(waves(), 4)}) {
+    const auto shape = shapeOf(sides, EnergyKind::MeanCurvatureGradient);
+    ASSERT_TRUE(shape.has_value());
+    EXPECT_GE(shape->steps, 1);
+    EXPECT_LT(shape->energy, shape->energyBefore);
+  }
+}
+
+TEST(FairShape, IsNoMatterOfQuadraticEnergies) {
+  EXPECT_FALSE(shapeOf(sphereOctant(10.0), EnergyKind::ThinPlate).has_value());
+  EXPECT_FALSE(shapeOf(sphereOctant(10.0), EnergyKind::Membrane).has_value());
+}
+
+TEST(FairShape, StopsWhereItIsCancelled) {
+  Progress abort;
+  abort.requestAbort();
+  const auto loop = finished(sphereOctant(10.0));
+  const auto plan = layout::planLayout(loop, LayoutKind::Auto).value();
+  const auto layout = layout::makeLayout(plan, {.fitTolerance = 1e-5});
+  const auto shape = fairShape(plan, layout, {}, loop.diagonal, &abort);
+  ASSERT_FALSE(shape.has_value());
+  EXPECT_EQ(shape.error().code, ErrorCode::Cancelled);
+}
+
+TEST(FairShape, ReproducesASphere) {
+  constexpr double kRadius = 10.0;
+  const auto loop = finished(sphereOctant(kRadius));
+  const auto fill = fillHole(loop, {});
+  ASSERT_TRUE(fill.has_value());
+  double worst = 0.0;
+  for (const auto& patch : fill->patches)
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= 20; ++j) {
+        const auto point = patch.evaluate(patch.u.last() * i / 20.0, patch.v.last() * j / 20.0);
+        worst = std::max(worst, std::abs(point.norm() - kRadius));
+      }
+  EXPECT_LT(worst, 1e-5 * loop.diagonal);
+}
+
+}  // namespace
+}  // namespace fairing
