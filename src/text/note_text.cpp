@@ -11,7 +11,7 @@ std::string sentence(const analysis::Note& note) {
   switch (note.code) {
     case analysis::NoteCode::EdgeAbsorbed:
       return fmt::format(
-          "Edge {} is too short ({}) to be a side of its own: it counts as part of its neighbour.",
+          "Edge {} is too short ({}) to be a side of its own: the fill absorbs it.",
           note.edge,
           length(note.value));
     case analysis::NoteCode::SupportSingular:

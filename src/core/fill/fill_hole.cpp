@@ -145,6 +145,13 @@ Result<FillResult> fillWith(LayoutKind kind,
   return std::move(*best);
 }
 
+void noteTinySides(const boundary::BoundaryLoop& loop, analysis::FillReport& report) {
+  for (const boundary::BoundarySide& side : loop.sides)
+    if (layout::isTiny(side, loop.diagonal))
+      report.notes.push_back(
+          {analysis::NoteCode::EdgeAbsorbed, side.edge, side.ribbon.curve(0.5).point, side.length});
+}
+
 }  // namespace
 
 Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
@@ -163,6 +170,7 @@ Result<FillResult> fillHole(const boundary::BoundaryLoop& loop,
       best = std::move(tried);
     if (*best && (*best)->report.withinTolerance) break;
   }
+  if (*best) noteTinySides(loop, (*best)->report);
   return std::move(*best);
 }
 

@@ -50,11 +50,20 @@ std::optional<Error> tooManySides(const boundary::BoundaryLoop& loop) {
   return Error{.code = ErrorCode::TooManySides, .value = static_cast<double>(loop.sides.size())};
 }
 
+bool isTiny(const boundary::BoundarySide& side, double diagonal) {
+  constexpr double kTinyShare = 5e-3;
+  return side.length < kTinyShare * diagonal;
+}
+
 std::vector<LayoutKind> suitableKinds(const boundary::BoundaryLoop& loop) {
   const auto roles = cornerRoles(loop);
   const auto corners = std::count(roles.begin(), roles.end(), CornerRole::Corner);
   const auto splits = std::count(roles.begin(), roles.end(), CornerRole::Split);
-  if (corners == 4 && splits == 0) return {LayoutKind::Quad};
+  const bool hasTiny = std::any_of(loop.sides.begin(), loop.sides.end(), [&](const auto& side) {
+    return isTiny(side, loop.diagonal);
+  });
+  if (corners == 4 && splits == 0 && !hasTiny) return {LayoutKind::Quad};
+  if (hasTiny) return {LayoutKind::Trimmed, corners >= 3 ? LayoutKind::Star : LayoutKind::OGrid};
   if (corners >= 3) return {LayoutKind::Star, LayoutKind::Trimmed};
   if (corners + splits == 0 && bendsSharply(loop)) return {LayoutKind::Trimmed, LayoutKind::OGrid};
   return {LayoutKind::OGrid, LayoutKind::Trimmed};

@@ -12,9 +12,13 @@ namespace fairing::layout {
 /// TooManySides for more than 64, which no layout spans.
 [[nodiscard]] std::optional<Error> tooManySides(const boundary::BoundaryLoop& loop);
 
+/// Whether a side is no more than the width of a corner beside the hole: no patch can have it for
+/// an edge and be fair.
+[[nodiscard]] bool isTiny(const boundary::BoundarySide& side, double diagonal);
+
 /// The kinds that suit a loop, the best one first, the next ones for the case that it falls short:
-/// quad for four corners, star for three or more, o-grid for two or fewer; trimmed before it where
-/// the loop is smooth but bends too sharply for a patch.
+/// quad for four corners, star for three or more, o-grid for two or fewer; trimmed before these
+/// where the loop is smooth but bends too sharply for a patch, or has a tiny side.
 [[nodiscard]] std::vector<LayoutKind> suitableKinds(const boundary::BoundaryLoop& loop);
 
 /// How a loop is spanned by a kind; the one list of the choices. Auto takes the first suitable

@@ -80,7 +80,10 @@ BlockSystem buildSystem(const ConstraintBlock& block, const Expressions& all) {
 
 // Writes the pivot unknowns of the block as expressions of the others.
 //   lead P = Q [R1 R2; 0 0],  x_pivot = R1^-1 (Q' right - R2 x_others - Q' rest x_rest)
-void solveBlock(const BlockSystem& system, Expressions& all, AffineSpace& space) {
+void solveBlock(const BlockSystem& system,
+                Expressions& all,
+                std::vector<int>& pivots,
+                AffineSpace& space) {
   if (system.lead.size() == 0) {  // no rows, or all they could be solved for is known already
     space.residual = std::max(space.residual, system.right.lpNorm<Eigen::Infinity>());
     return;
@@ -106,12 +109,30 @@ void solveBlock(const BlockSystem& system, Expressions& all, AffineSpace& space)
   };
   for (Index k = 0; k < rank; ++k) {
     Expression& pivot = all[static_cast<std::size_t>(unknownAt(k))];
+    pivots.push_back(unknownAt(k));
     pivot.free = false;
     pivot.constant = solved(k, 0);
     for (Index j = rank; j < columns; ++j)
       pivot.terms.emplace_back(unknownAt(j), -others(k, j - rank));
     for (Index j = 0; j < system.rest.cols(); ++j)
       pivot.terms.emplace_back(system.restUnknowns[static_cast<std::size_t>(j)], -solved(k, 1 + j));
+  }
+}
+
+// What later blocks have solved for is replaced by what they found, the last ones first.
+void substitute(const std::vector<int>& pivots, Expressions& all) {
+  for (auto it = pivots.rbegin(); it != pivots.rend(); ++it) {
+    Expression& pivot = all[static_cast<std::size_t>(*it)];
+    std::map<int, double> terms;
+    for (const auto& [unknown, factor] : pivot.terms) {
+      const Expression& other = all[static_cast<std::size_t>(unknown)];
+      if (other.free)
+        terms[unknown] += factor;
+      else
+        pivot.constant += factor * other.constant;
+      for (const auto& [far, farFactor] : other.terms) terms[far] += factor * farFactor;
+    }
+    pivot.terms.assign(terms.begin(), terms.end());
   }
 }
 
@@ -130,12 +151,14 @@ Expressions fixedPoints(const QuadraticProgram& program) {
 AffineSpace eliminateConstraints(const QuadraticProgram& program) {
   AffineSpace space;
   Expressions all = fixedPoints(program);
+  std::vector<int> pivots;
   space.bound = program.fixed;
   for (const ConstraintBlock& block : program.blocks) {
-    solveBlock(buildSystem(block, all), all, space);
+    solveBlock(buildSystem(block, all), all, pivots, space);
     for (const LinearRow& row : block.rows)
       for (const int point : row.points) space.bound[static_cast<std::size_t>(point)] = 1;
   }
+  substitute(pivots, all);
   std::vector<int> column(all.size(), -1);
   int free = 0;
   for (std::size_t k = 0; k < all.size(); ++k)

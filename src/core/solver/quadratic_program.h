@@ -23,16 +23,15 @@ struct TieRow {
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
 };
 
-/// Ties that are solved for some of their points, the rest being handed through. A block may use
-/// points that earlier ones have solved for, but not solve for points those have handed through.
+/// Ties that are solved for some of their points, the rest being handed through. Later blocks see
+/// what earlier ones have found.
 struct TieBlock {
   std::vector<TieRow> rows;
   std::vector<int> solvedFor;
 };
 
 /// Rows that are solved for the coordinates of some points of their own, the rest of the points
-/// being handed through. A block may use points that earlier blocks have solved for, but not solve
-/// for points those blocks have used.
+/// being handed through. Later blocks see what earlier ones have found.
 struct ConstraintBlock {
   std::vector<LinearRow> rows;
   std::vector<int> solvedFor;

@@ -79,7 +79,10 @@ class SystemBuilder {
 };
 
 //   lead P = Q [R1 R2; 0 0],  x_pivot = R1^-1 (Q' right - R2 x_others - Q' rest x_rest)
-void solveBlock(const BlockSystem& system, Expressions& all, TiedPoints& tied) {
+void solveBlock(const BlockSystem& system,
+                Expressions& all,
+                std::vector<int>& pivots,
+                TiedPoints& tied) {
   if (system.lead.size() == 0) {
     if (system.right.size() > 0)
       tied.residual = std::max(tied.residual, system.right.cwiseAbs().maxCoeff());
@@ -105,12 +108,30 @@ void solveBlock(const BlockSystem& system, Expressions& all, TiedPoints& tied) {
   };
   for (Index k = 0; k < rank; ++k) {
     Expression& pivot = all[static_cast<std::size_t>(pointAt(k))];
+    pivots.push_back(pointAt(k));
     pivot.free = false;
     pivot.constant = solved.row(k).head<3>().transpose();
     for (Index j = rank; j < columns; ++j)
       pivot.terms.emplace_back(pointAt(j), -others(k, j - rank));
     for (Index j = 0; j < system.rest.cols(); ++j)
       pivot.terms.emplace_back(system.restPoints[static_cast<std::size_t>(j)], -solved(k, 3 + j));
+  }
+}
+
+// What later blocks have solved for is replaced by what they found, the last ones first.
+void substitute(const std::vector<int>& pivots, Expressions& all) {
+  for (auto it = pivots.rbegin(); it != pivots.rend(); ++it) {
+    Expression& pivot = all[static_cast<std::size_t>(*it)];
+    std::map<int, double> terms;
+    for (const auto& [point, factor] : pivot.terms) {
+      const Expression& other = all[static_cast<std::size_t>(point)];
+      if (other.free)
+        terms[point] += factor;
+      else
+        pivot.constant += factor * other.constant;
+      for (const auto& [far, farFactor] : other.terms) terms[far] += factor * farFactor;
+    }
+    pivot.terms.assign(terms.begin(), terms.end());
   }
 }
 
@@ -151,11 +172,13 @@ Sparse threefold(const Sparse& matrix) {
 TiedPoints tiePoints(const QuadraticProgram& program) {
   TiedPoints tied;
   Expressions all(program.fixed.size());
+  std::vector<int> pivots;
   for (std::size_t p = 0; p < all.size(); ++p)
     if (program.fixed[p])
       all[p] = {false, program.values.row(static_cast<Index>(p)).transpose(), {}};
   for (const TieBlock& block : program.ties)
-    solveBlock(SystemBuilder(block, all).take(), all, tied);
+    solveBlock(SystemBuilder(block, all).take(), all, pivots, tied);
+  substitute(pivots, all);
   std::vector<int> column(all.size(), -1);
   for (std::size_t p = 0; p < all.size(); ++p)
     if (all[p].free || program.fixed[p]) {  // a fixed point stays one, in its own column
