@@ -10,10 +10,9 @@ namespace fairing::text {
 std::string sentence(const analysis::Note& note) {
   switch (note.code) {
     case analysis::NoteCode::EdgeAbsorbed:
-      return fmt::format(
-          "Edge {} is too short ({}) to be a side of its own: the fill absorbs it.",
-          note.edge,
-          length(note.value));
+      return fmt::format("Edge {} is too short ({}) to be a side of its own: the fill absorbs it.",
+                         note.edge,
+                         length(note.value));
     case analysis::NoteCode::SupportSingular:
       return fmt::format(
           "The face beside edge {} has no normal at {}: it is taken from the face nearby.",

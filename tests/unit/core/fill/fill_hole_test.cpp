@@ -283,8 +283,7 @@ TEST(FillHole, ThreeSidesInAPlaneAreSpannedByAFlatStar) {
                                            sideOn(plane(), line(c, a), 2)}));
   EXPECT_EQ(fill.layout, LayoutKind::Star);
   EXPECT_EQ(fill.patches.size(), 3U);
-  for (const auto& patch : fill.patches)
-    EXPECT_LT(patch.poles.col(2).cwiseAbs().maxCoeff(), 1e-10);
+  for (const auto& patch : fill.patches) EXPECT_LT(patch.poles.col(2).cwiseAbs().maxCoeff(), 1e-10);
 }
 
 // The octant of a sphere: three corners of 90 degrees.
@@ -301,9 +300,9 @@ TEST(FillHole, TheOctantOfASphereIsASphere) {
   for (const auto& patch : fill.patches)
     for (const double u : {0.1, 0.5, 0.9})
       for (const double v : {0.2, 0.5, 0.8})
-        farthest = std::max(
-            farthest,
-            std::abs(patch.evaluate(u * patch.u.last(), v * patch.v.last()).norm() - 2.0));
+        farthest =
+            std::max(farthest,
+                     std::abs(patch.evaluate(u * patch.u.last(), v * patch.v.last()).norm() - 2.0));
   EXPECT_LT(farthest, 1e-5 * fill.report.diagonal);
 }
 

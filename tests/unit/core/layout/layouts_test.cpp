@@ -63,7 +63,8 @@ TEST(Layouts, EdgesThatGoStraightOnAreOneSide) {
   const auto plan = planLayout(finished(sides), LayoutKind::Auto);
   ASSERT_TRUE(plan.has_value());
   EXPECT_EQ(plan->kind, LayoutKind::Quad);
-  EXPECT_THAT(plan->cut.loop.sides[0].ribbon.curve(0.7).point, IsNear(Eigen::Vector3d(0.7, 0.0, 0.0), 1e-12));
+  EXPECT_THAT(plan->cut.loop.sides[0].ribbon.curve(0.7).point,
+              IsNear(Eigen::Vector3d(0.7, 0.0, 0.0), 1e-12));
 }
 
 // An L: five convex corners and a re-entrant one, where a spoke ends.
