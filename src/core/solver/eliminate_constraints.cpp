@@ -98,11 +98,12 @@ void solveBlock(const BlockSystem& system,
   known.applyOnTheLeft(qr.householderQ().setLength(qr.nonzeroPivots()).transpose());
   if (rank < rows)
     space.residual = std::max(space.residual, known.col(0).tail(rows - rank).cwiseAbs().maxCoeff());
+  if (rank == 0) return;
   const auto triangle =
       qr.matrixR().topLeftCorner(rank, rank).template triangularView<Eigen::Upper>();
   const MatrixXd solved = triangle.solve(known.topRows(rank));
-  const MatrixXd others =
-      triangle.solve(MatrixXd(qr.matrixR().topRightCorner(rank, columns - rank)));
+  MatrixXd others = qr.matrixR().topRightCorner(rank, columns - rank);
+  if (others.size() > 0) triangle.solveInPlace(others);
   const auto& order = qr.colsPermutation().indices();
   const auto unknownAt = [&](Index column) {
     return system.leadUnknowns[static_cast<std::size_t>(order[column])];

@@ -98,11 +98,12 @@ void solveBlock(const BlockSystem& system,
   if (rank < rows)
     tied.residual =
         std::max(tied.residual, known.leftCols<3>().bottomRows(rows - rank).cwiseAbs().maxCoeff());
+  if (rank == 0) return;
   const auto triangle =
       qr.matrixR().topLeftCorner(rank, rank).template triangularView<Eigen::Upper>();
   const MatrixXd solved = triangle.solve(known.topRows(rank));
-  const MatrixXd others =
-      triangle.solve(MatrixXd(qr.matrixR().topRightCorner(rank, columns - rank)));
+  MatrixXd others = qr.matrixR().topRightCorner(rank, columns - rank);
+  if (others.size() > 0) triangle.solveInPlace(others);
   const auto pointAt = [&](Index column) {
     return system.leadPoints[static_cast<std::size_t>(qr.colsPermutation().indices()[column])];
   };
