@@ -1,139 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/solver/tie_points.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <map>
 
 #include "core/base/assert.h"
+#include "core/solver/block_elimination.h"
 
 namespace fairing::solver {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
 // Rows smaller than this beside the largest are taken for dependent. Weights are of the order of 1.
 constexpr double kRankThreshold = 1e-9;
 
-// One point: free, or constant + sum of factors times free ones.
-struct Expression {
-  bool free = true;
-  Vector3d constant = Vector3d::Zero();
-  std::vector<std::pair<int, double>> terms;
-};
-using Expressions = std::vector<Expression>;
+// Unknown p is point p, its coordinates the three columns.
+using Elimination = BlockElimination<3>;
 
-// A block written in free points only: lead * (solved for) + rest * (handed through) = right.
-struct BlockSystem {
-  std::vector<int> leadPoints, restPoints;
-  MatrixXd lead, rest;
-  Points right;
-};
-
-class SystemBuilder {
- public:
-  SystemBuilder(const TieBlock& block, const Expressions& all) : all_(all) {
-    for (const int point : block.solvedFor)
-      if (all[static_cast<std::size_t>(point)].free &&
-          leadColumn_.emplace(point, static_cast<Index>(system_.leadPoints.size())).second)
-        system_.leadPoints.push_back(point);
-    const auto rows = static_cast<Index>(block.rows.size());
-    system_.lead = MatrixXd::Zero(rows, static_cast<Index>(system_.leadPoints.size()));
-    system_.right = Points::Zero(rows, 3);
-    for (Index r = 0; r < rows; ++r) addRow(r, block.rows[static_cast<std::size_t>(r)]);
-    system_.rest = MatrixXd::Zero(rows, static_cast<Index>(system_.restPoints.size()));
-    for (const auto& [r, c, weight] : restEntries_) system_.rest(r, c) += weight;
+void solveBlock(const TieBlock& block, Elimination& elimination) {
+  std::vector<EliminationRow<3>> rows;
+  for (const TieRow& row : block.rows) {
+    EliminationRow<3> entry;
+    entry.right = row.right.transpose();
+    for (std::size_t k = 0; k < row.points.size(); ++k)
+      entry.entries.emplace_back(row.points[k], row.weights[k]);
+    rows.push_back(std::move(entry));
   }
-  [[nodiscard]] BlockSystem take() && { return std::move(system_); }
-
- private:
-  void addRow(Index r, const TieRow& row) {
-    system_.right.row(r) = row.right.transpose();
-    for (std::size_t k = 0; k < row.points.size(); ++k) {
-      const Expression& expression = all_[static_cast<std::size_t>(row.points[k])];
-      const double weight = row.weights[k];
-      if (expression.free) {
-        addFree(r, row.points[k], weight);
-        continue;
-      }
-      system_.right.row(r) -= weight * expression.constant.transpose();
-      for (const auto& [other, factor] : expression.terms) addFree(r, other, weight * factor);
-    }
-  }
-  void addFree(Index r, int point, double weight) {
-    if (const auto found = leadColumn_.find(point); found != leadColumn_.end()) {
-      system_.lead(r, found->second) += weight;
-      return;
-    }
-    const auto [entry, isNew] = restColumn_.emplace(point, static_cast<Index>(restColumn_.size()));
-    if (isNew) system_.restPoints.push_back(point);
-    restEntries_.emplace_back(r, entry->second, weight);
-  }
-
-  const Expressions& all_;
-  BlockSystem system_;
-  std::map<int, Index> leadColumn_, restColumn_;
-  std::vector<std::tuple<Index, Index, double>> restEntries_;
-};
-
-//   lead P = Q [R1 R2; 0 0],  x_pivot = R1^-1 (Q' right - R2 x_others - Q' rest x_rest)
-void solveBlock(const BlockSystem& system,
-                Expressions& all,
-                std::vector<int>& pivots,
-                TiedPoints& tied) {
-  if (system.lead.size() == 0) {
-    if (system.right.size() > 0)
-      tied.residual = std::max(tied.residual, system.right.cwiseAbs().maxCoeff());
-    return;
-  }
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(system.lead.rows(), system.lead.cols());
-  qr.setThreshold(kRankThreshold);
-  qr.compute(system.lead);
-  const Index rank = qr.rank(), rows = system.lead.rows(), columns = system.lead.cols();
-  MatrixXd known(rows, 3 + system.rest.cols());
-  known << system.right, system.rest;
-  known.applyOnTheLeft(qr.householderQ().setLength(qr.nonzeroPivots()).transpose());
-  if (rank < rows)
-    tied.residual =
-        std::max(tied.residual, known.leftCols<3>().bottomRows(rows - rank).cwiseAbs().maxCoeff());
-  if (rank == 0) return;
-  const auto triangle =
-      qr.matrixR().topLeftCorner(rank, rank).template triangularView<Eigen::Upper>();
-  const MatrixXd solved = triangle.solve(known.topRows(rank));
-  MatrixXd others = qr.matrixR().topRightCorner(rank, columns - rank);
-  if (others.size() > 0) triangle.solveInPlace(others);
-  const auto pointAt = [&](Index column) {
-    return system.leadPoints[static_cast<std::size_t>(qr.colsPermutation().indices()[column])];
-  };
-  for (Index k = 0; k < rank; ++k) {
-    Expression& pivot = all[static_cast<std::size_t>(pointAt(k))];
-    pivots.push_back(pointAt(k));
-    pivot.free = false;
-    pivot.constant = solved.row(k).head<3>().transpose();
-    for (Index j = rank; j < columns; ++j)
-      pivot.terms.emplace_back(pointAt(j), -others(k, j - rank));
-    for (Index j = 0; j < system.rest.cols(); ++j)
-      pivot.terms.emplace_back(system.restPoints[static_cast<std::size_t>(j)], -solved(k, 3 + j));
-  }
-}
-
-// What later blocks have solved for is replaced by what they found, the last ones first.
-void substitute(const std::vector<int>& pivots, Expressions& all) {
-  for (auto it = pivots.rbegin(); it != pivots.rend(); ++it) {
-    Expression& pivot = all[static_cast<std::size_t>(*it)];
-    std::map<int, double> terms;
-    for (const auto& [point, factor] : pivot.terms) {
-      const Expression& other = all[static_cast<std::size_t>(point)];
-      if (other.free)
-        terms[point] += factor;
-      else
-        pivot.constant += factor * other.constant;
-      for (const auto& [far, farFactor] : other.terms) terms[far] += factor * farFactor;
-    }
-    pivot.terms.assign(terms.begin(), terms.end());
-  }
+  elimination.solve(rows, block.solvedFor);
 }
 
 using SparseByRow = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -171,15 +66,14 @@ Sparse threefold(const Sparse& matrix) {
 }
 
 TiedPoints tiePoints(const QuadraticProgram& program) {
-  TiedPoints tied;
-  Expressions all(program.fixed.size());
-  std::vector<int> pivots;
-  for (std::size_t p = 0; p < all.size(); ++p)
+  Elimination elimination(program.fixed.size(), kRankThreshold);
+  for (std::size_t p = 0; p < program.fixed.size(); ++p)
     if (program.fixed[p])
-      all[p] = {false, program.values.row(static_cast<Index>(p)).transpose(), {}};
-  for (const TieBlock& block : program.ties)
-    solveBlock(SystemBuilder(block, all).take(), all, pivots, tied);
-  substitute(pivots, all);
+      elimination.fix(static_cast<int>(p), program.values.row(static_cast<Index>(p)));
+  for (const TieBlock& block : program.ties) solveBlock(block, elimination);
+  const auto& all = elimination.finish();
+  TiedPoints tied;
+  tied.residual = elimination.residual();
   std::vector<int> column(all.size(), -1);
   for (std::size_t p = 0; p < all.size(); ++p)
     if (all[p].free || program.fixed[p]) {  // a fixed point stays one, in its own column
@@ -194,7 +88,7 @@ TiedPoints tiePoints(const QuadraticProgram& program) {
       entries.emplace_back(row, column[p], 1.0);
       continue;
     }
-    tied.offset.row(row) = all[p].constant.transpose();
+    tied.offset.row(row) = all[p].constant;
     for (const auto& [point, factor] : all[p].terms) {
       FAIRING_ASSERT(column[static_cast<std::size_t>(point)] >= 0);
       entries.emplace_back(row, column[static_cast<std::size_t>(point)], factor);
