@@ -77,7 +77,7 @@ class Numbering {
  private:
   void takeOver(const Quad& quad, std::size_t k, LayoutPatch& patch) {
     const int from = quad.vertices[k], to = quad.vertices[(k + 1) % 4];
-    const auto places = edgePlaces(patch, kPatchEdges[k]);
+    const auto places = edgePlaces(patch, kPatchEdges[k], 0);
     if (const auto vertex = vertices_.find(from); vertex != vertices_.end())
       patch.points[places.front()] = vertex->second;
     if (quad.sides[k] >= 0) return;
@@ -86,14 +86,6 @@ class Numbering {
     for (std::size_t i = 0; i < places.size(); ++i)
       patch.points[places[i]] = other->second[places.size() - 1 - i];
   }
-  // Positions in LayoutPatch::points along an edge.
-  static std::vector<std::size_t> edgePlaces(const LayoutPatch& patch, PatchEdge edge) {
-    LayoutPatch counted = patch;
-    for (std::size_t i = 0; i < counted.points.size(); ++i) counted.points[i] = static_cast<int>(i);
-    const auto places = edgePoints(counted, edge, 0);
-    return {places.begin(), places.end()};
-  }
-
   std::map<std::pair<int, int>, std::vector<int>> known_;  // by the vertices of a directed edge
   std::map<int, int> vertices_;
   int count_ = 0;

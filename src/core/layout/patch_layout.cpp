@@ -17,18 +17,25 @@ SeamFrame Seam::frameDerivative(double t) const {
   return {b.first - a.first, b.second - a.second, 2.0 * (t * b.along - (1.0 - t) * a.along)};
 }
 
-std::vector<int> edgePoints(const LayoutPatch& patch, PatchEdge edge, int row) {
+std::vector<std::size_t> edgePlaces(const LayoutPatch& patch, PatchEdge edge, int row) {
   const int nu = patch.u.poleCount(), nv = patch.v.poleCount();
-  const bool alongU = edge == PatchEdge::South || edge == PatchEdge::North;
+  const bool alongU = directionOf(edge) == 0;
   const bool farSide = edge == PatchEdge::East || edge == PatchEdge::North;
   const int across = farSide ? (alongU ? nv : nu) - 1 - row : row;
-  std::vector<int> result;
+  std::vector<std::size_t> places;
   for (int k = 0; k < (alongU ? nu : nv); ++k) {
     const int i = alongU ? k : across, j = alongU ? across : k;
-    result.push_back(patch.points[static_cast<std::size_t>(i * nv + j)]);
+    places.push_back(static_cast<std::size_t>(i * nv + j));
   }
-  if (falls(edge)) std::reverse(result.begin(), result.end());
-  return result;
+  if (falls(edge)) std::reverse(places.begin(), places.end());
+  return places;
+}
+
+std::vector<int> edgePoints(const LayoutPatch& patch, PatchEdge edge, int row) {
+  std::vector<int> points;
+  for (const std::size_t place : edgePlaces(patch, edge, row))
+    points.push_back(patch.points[place]);
+  return points;
 }
 
 spline::KnotVector edgeKnots(const LayoutPatch& patch, PatchEdge edge) {

@@ -69,12 +69,16 @@ struct PatchLayout {
 /// 0 on the edge, row 1 the next one inside. Entries are point numbers.
 [[nodiscard]] std::vector<int> edgePoints(const LayoutPatch& patch, PatchEdge edge, int row);
 
+/// Where these stand in LayoutPatch::points.
+[[nodiscard]] std::vector<std::size_t> edgePlaces(const LayoutPatch& patch,
+                                                  PatchEdge edge,
+                                                  int row);
+
 /// The knots along a patch edge in the border's direction.
 [[nodiscard]] spline::KnotVector edgeKnots(const LayoutPatch& patch, PatchEdge edge);
 
-/// Where row 1 lies beside a patch edge: its distance from row 0 in the parameter across, over the
-/// patch's width there, times the degree's reciprocal is what divides their difference to give the
-/// derivative across with respect to a parameter from 0 to 1.
+/// The derivative across a patch edge, with respect to a parameter that runs from 0 to 1 over the
+/// patch, is the difference of rows 1 and 0 divided by this.
 [[nodiscard]] double crossStep(const LayoutPatch& patch, PatchEdge edge);
 
 }  // namespace fairing::layout
