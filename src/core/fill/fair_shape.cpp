@@ -153,6 +153,7 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
   if (!current) return fail(current.error());
   shape.energyBefore = shape.energy =
       assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
+  std::optional<Descent> descent;  // lasts as long as its program
   while (shape.steps < kSteps) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     if (isIterated(plan.cut.loop, options)) {  // the nearest points that meet all that is asked
@@ -165,9 +166,10 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
       current = solver::solve(*program);
       if (!current) return fail(current.error());
       shape.energy = assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
+      descent.reset();
     }
-    const Descent descent(shape.layout, *energy, *program, diagonal);
-    if (!descent.step(current->points, shape.energy)) break;
+    if (!descent) descent.emplace(shape.layout, *energy, *program, diagonal);
+    if (!descent->step(current->points, shape.energy)) break;
     ++shape.steps;
   }
   shape.patches = makePatches(shape.layout, current->points);
