@@ -7,49 +7,24 @@ import dataclasses
 
 import FreeCAD as App
 
-from .. import exchange, migrate, subelements
+from .. import exchange, subelements
 from ..choices import with_pairs
 from ..fill_all_request import FillAllRequest
 from . import fill_all_properties as properties, links
 from .placement import container_for_results, container_of, shape_in
+from .solved_feature import SolvedFeature
 
 NO_BASE = "No object is chosen: select the object whose holes are to be filled."
 
 
-class FillAllFeature:
+class FillAllFeature(SolvedFeature):
     """Proxy of an object that fills all holes."""
 
-    TYPE = "FillAll"  # stored with the object, see migrate.py
+    TYPE = "FillAll"
+    properties = properties
 
-    def __init__(self, obj: App.DocumentObject):
-        migrate.mark(obj, self.TYPE)
-        properties.add_properties(obj)
-        obj.Proxy = self
-
-    def execute(self, obj: App.DocumentObject) -> None:
-        """Solves and measures. Where no hole can be filled the last good shape stays, and the verdict says why."""
-        try:
-            filled = solve(properties.read_request(obj), obj.Base, container_of(obj))
-        except (ValueError, RuntimeError) as error:  # FairingError is a ValueError, NativeModuleError a RuntimeError
-            properties.write_failure(obj, str(error))
-            raise
-        obj.Shape = exchange.part_shape(filled.brep())
-        properties.write_report(obj, filled)
-        if not filled.within_tolerance:
-            App.Console.PrintWarning(f"{obj.Label}: {obj.Verdict}\n")
-
-    def onDocumentRestored(self, obj: App.DocumentObject) -> None:
-        migrate.update(obj)
-        properties.add_properties(obj)
-
-    # Nothing of the proxy itself is saved. FreeCAD 0.20 calls the second pair of names, later versions the first.
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__, __setstate__ = dumps, loads
+    def solve(self, obj: App.DocumentObject):
+        return solve(properties.read_request(obj), obj.Base, container_of(obj))
 
 
 def make_fill_all(base: App.DocumentObject, *, name: str = "FillAll", skipped=(), reference=None,

@@ -8,50 +8,25 @@ from typing import Iterable, Optional
 
 import FreeCAD as App
 
-from .. import exchange, migrate, subelements
+from .. import exchange, subelements
 from ..choices import with_pairs
 from ..fill_request import FillRequest
 from . import fill_properties as properties, links
 from .placement import container_for_results, container_of, shape_in
+from .solved_feature import SolvedFeature
 
 NOTHING_PICKED = "No edge is picked: pick an edge of the hole, or the face to be replaced."
 
 
-class FillFeature:
+class FillFeature(SolvedFeature):
     """Proxy of a fill."""
 
-    TYPE = "Fill"  # stored with the object, see migrate.py
+    TYPE = "Fill"
+    properties = properties
 
-    def __init__(self, obj: App.DocumentObject):
-        migrate.mark(obj, self.TYPE)
-        properties.add_properties(obj)
-        obj.Proxy = self
-
-    def execute(self, obj: App.DocumentObject) -> None:
-        """Solves and measures. Where that fails the last good shape stays, and the verdict says why."""
-        try:
-            base = obj.Edges[0] if obj.Edges else None
-            fill = solve(properties.read_request(obj), base, container_of(obj))
-        except (ValueError, RuntimeError) as error:  # FairingError is a ValueError, NativeModuleError a RuntimeError
-            properties.write_failure(obj, str(error))
-            raise
-        obj.Shape = exchange.part_shape(fill.brep())
-        properties.write_report(obj, fill)
-        if not fill.within_tolerance:
-            App.Console.PrintWarning(f"{obj.Label}: {fill.verdict}\n")
-
-    def onDocumentRestored(self, obj: App.DocumentObject) -> None:
-        migrate.update(obj)
-        properties.add_properties(obj)
-
-    # Nothing of the proxy itself is saved. FreeCAD 0.20 calls the second pair of names, later versions the first.
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__, __setstate__ = dumps, loads
+    def solve(self, obj: App.DocumentObject):
+        base = obj.Edges[0] if obj.Edges else None
+        return solve(properties.read_request(obj), base, container_of(obj))
 
 
 def make_fill(base: App.DocumentObject, picks: Iterable[subelements.Pick], *, name: str = "Fill", reference=None,
