@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/boundary/cut_loop.h"
 
-#include <algorithm>
-#include <memory>
-
 #include "core/base/assert.h"
-#include "core/boundary/arc_length.h"
+#include "core/boundary/edge_chain.h"
 
 namespace fairing::boundary {
 namespace {
@@ -52,114 +49,6 @@ BoundarySide stretchOfEdge(const BoundarySide& edge, const Stretch& s) {
   return side;
 }
 
-// Several edges one after the other, run through at constant speed.
-struct Chain {
-  struct Link {
-    std::function<CurveSample(double t)> curve;
-    std::function<SupportSample(double t)> support;
-    ArcLength arc;
-    double start, end;  // on the chain, 0 to 1
-    // CAD edges meet but for a tolerance: the ends are moved to the middle, the rest with them.
-    Eigen::Vector3d moveStart = Eigen::Vector3d::Zero(), moveEnd = Eigen::Vector3d::Zero();
-  };
-  std::vector<Link> links;
-  double length = 0.0;
-
-  // The link that holds s, and the parameter of its edge there.
-  [[nodiscard]] std::pair<const Link*, double> at(double s) const {
-    const Link* link = &links.back();
-    for (const Link& l : links)
-      if (s < l.end) {
-        link = &l;
-        break;
-      }
-    return {link, link->arc.parameterAt((s - link->start) * length)};
-  }
-};
-
-// Constant speed is not the edges' own: stretches short enough to be taken for affine.
-std::vector<Stretch> finer(const std::vector<Stretch>& stretches, const Chain& chain) {
-  constexpr int kParts = 8;
-  std::vector<Stretch> result;
-  for (std::size_t k = 0; k < stretches.size(); ++k)
-    for (int m = 0; m < kParts; ++m) {
-      const auto edgeAt = [&](int part) {
-        return stretches[k].from + (stretches[k].to - stretches[k].from) * part / kParts;
-      };
-      const auto chainAt = [&](int part) {
-        return chain.links[k].start + chain.links[k].arc.lengthUpTo(edgeAt(part)) / chain.length;
-      };
-      result.push_back({stretches[k].edge,
-                        edgeAt(m),
-                        edgeAt(m + 1),
-                        m == 0 ? chain.links[k].start : chainAt(m),
-                        m + 1 == kParts ? chain.links[k].end : chainAt(m + 1)});
-    }
-  return result;
-}
-
-BoundarySide chainOfEdges(const BoundaryLoop& loop, std::vector<Stretch>& stretches) {
-  auto chain = std::make_shared<Chain>();
-  for (const Stretch& s : stretches) {
-    const Ribbon& ribbon = loop.sides[s.edge].ribbon;
-    chain->links.push_back(
-        {ribbon.curve, ribbon.support, ArcLength(ribbon, s.from, s.to), 0.0, 1.0});
-    chain->length += chain->links.back().arc.length();
-  }
-  BoundarySide side = loop.sides[stretches.front().edge];
-  side.stretches.clear();
-  side.ribbon = {};
-  bool anySupport = false;
-  double behind = 0.0;
-  for (std::size_t k = 0; k < stretches.size(); ++k) {
-    const BoundarySide& edge = loop.sides[stretches[k].edge];
-    Chain::Link& link = chain->links[k];
-    link.start = stretches[k].start = behind / chain->length;
-    behind += link.arc.length();
-    link.end = stretches[k].end = k + 1 == stretches.size() ? 1.0 : behind / chain->length;
-    for (const CurveBreak& b : edge.ribbon.breaks) {
-      if (!(stretches[k].from < b.t && b.t < stretches[k].to)) continue;
-      const double share = link.arc.lengthUpTo(b.t) / chain->length;
-      side.ribbon.breaks.push_back({link.start + share, b.continuity});
-    }
-    if (k + 1 < stretches.size()) side.ribbon.breaks.push_back({link.end, 1});
-    side.stretches.push_back({link.end, edge.continuityAt(0.5)});
-    side.continuity = std::max(side.continuity, edge.continuity);
-    side.supportDeviation = std::max(side.supportDeviation, edge.supportDeviation);
-    anySupport = anySupport || edge.ribbon.hasSupport();
-  }
-  std::vector<double> first, last;
-  for (const Stretch& s : stretches) {
-    first.push_back(s.from);
-    last.push_back(s.to);
-  }
-  stretches = finer(stretches, *chain);
-  for (std::size_t k = 0; k + 1 < chain->links.size(); ++k) {
-    Chain::Link &before = chain->links[k], &after = chain->links[k + 1];
-    const Eigen::Vector3d gap = after.curve(first[k + 1]).point - before.curve(last[k]).point;
-    before.moveEnd = 0.5 * gap;
-    after.moveStart = -0.5 * gap;
-  }
-  side.ribbon.curve = [chain](double s) {
-    const auto [link, t] = chain->at(s);
-    CurveSample sample = link->curve(t);
-    sample.derivative *= chain->length / sample.derivative.norm();
-    const double width = link->end - link->start, share = (s - link->start) / width;
-    sample.point += (1.0 - share) * link->moveStart + share * link->moveEnd;
-    sample.derivative += (link->moveEnd - link->moveStart) / width;
-    return sample;
-  };
-  if (anySupport)
-    side.ribbon.support = [chain](double s) {
-      const auto [link, t] = chain->at(s);
-      if (link->support) return link->support(t);
-      SupportSample none;
-      none.singular = true;
-      return none;
-    };
-  return side;
-}
-
 }  // namespace
 
 Result<CutLoop> cutLoop(const BoundaryLoop& loop,
@@ -173,10 +62,14 @@ Result<CutLoop> cutLoop(const BoundaryLoop& loop,
     FAIRING_ASSERT(!stretches.empty());
     const auto& polynomial = loop.sides[stretches[0].edge].ribbon.polynomial;
     const bool keeps = polynomial && polynomial->knots.poleCount() <= mostPoles;
-    sides.push_back(stretches.size() == 1 && (keeps || !polynomial)
-                        ? stretchOfEdge(loop.sides[stretches[0].edge], stretches[0])
-                        : chainOfEdges(loop, stretches));
-    cut.stretches.push_back(std::move(stretches));
+    if (stretches.size() == 1 && (keeps || !polynomial)) {
+      sides.push_back(stretchOfEdge(loop.sides[stretches[0].edge], stretches[0]));
+      cut.stretches.push_back(std::move(stretches));
+      continue;
+    }
+    EdgeChain chain = chainEdges(loop, stretches);
+    sides.push_back(std::move(chain.side));
+    cut.stretches.push_back(std::move(chain.stretches));
   }
   auto made = makeLoop(std::move(sides));
   if (!made) return fail(made.error());
