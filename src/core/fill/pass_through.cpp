@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "core/analysis/nearest_patch.h"
+#include "core/fill/refine.h"
 #include "core/spline/bspline_basis.h"
 
 namespace fairing {
 namespace {
 
 constexpr int kMeasured = 33;  // places of a curve
-constexpr double kShortestSpan = 1e-3;
 
 std::vector<Eigen::Vector3d> placesOf(const InnerConstraint& constraint, int count) {
   if (constraint.isPoint || count < 2) return {constraint.at(0.0)};
@@ -54,15 +54,6 @@ int freedomsAlong(const Patches& patches, const InnerConstraint& constraint) {
     before = near;
   }
   return crossings + degree + 1;
-}
-
-// The middle of the span that holds t.
-void wishMiddle(const spline::KnotVector& knots, double t, std::vector<double>& wishes) {
-  const std::vector<double> breaks = knots.breaks();
-  const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
-  const double low = *(above - 1), high = *above;
-  if (high - low > 2.0 * kShortestSpan * (knots.last() - knots.first()))
-    wishes.push_back(0.5 * (low + high));
 }
 
 }  // namespace
@@ -121,8 +112,10 @@ void wishForInner(const layout::PatchLayout& layout,
       const analysis::PatchFoot near = analysis::nearestPatch(patches, place);
       if (near.foot.distance <= limit) continue;
       const auto p = static_cast<std::size_t>(near.patch);
-      wishMiddle(layout.patches[p].u, near.foot.u, wishes[p].u);
-      wishMiddle(layout.patches[p].v, near.foot.v, wishes[p].v);
+      for (const double knot : middlesAt(layout.patches[p].u, near.foot.u))
+        wishes[p].u.push_back(knot);
+      for (const double knot : middlesAt(layout.patches[p].v, near.foot.v))
+        wishes[p].v.push_back(knot);
     }
 }
 

@@ -33,18 +33,6 @@ EdgeEnds edgeEnds(const LayoutPatch& patch, PatchEdge edge) {
   return {{u0, v1}, {u0, v0}};
 }
 
-// The middle of the span that holds t, unless the span is as short as it may be. A place on a break
-// belongs to both spans: rounding must not choose between them.
-void wishMiddle(const spline::KnotVector& knots, double t, std::set<double>& wishes) {
-  const double width = knots.last() - knots.first(), rounding = 1e-9 * width;
-  const std::vector<double> breaks = knots.breaks();
-  for (std::size_t s = 0; s + 1 < breaks.size(); ++s) {
-    const double low = breaks[s], high = breaks[s + 1];
-    const bool holds = low - rounding <= t && t <= high + rounding;
-    if (holds && high - low > 2.0 * kShortestSpan * width) wishes.insert(0.5 * (low + high));
-  }
-}
-
 // An angle the edge's own tangent forces is not worth a knot; what is beyond it by this factor is.
 constexpr double kBeyondFloor = 1.25;
 
@@ -80,6 +68,18 @@ double excess(const analysis::FillReport& report) {
 }
 
 }  // namespace
+
+std::set<double> middlesAt(const spline::KnotVector& knots, double t) {
+  const double width = knots.last() - knots.first(), rounding = 1e-9 * width;
+  const std::vector<double> breaks = knots.breaks();
+  std::set<double> middles;
+  for (std::size_t s = 0; s + 1 < breaks.size(); ++s) {
+    const double low = breaks[s], high = breaks[s + 1];
+    const bool holds = low - rounding <= t && t <= high + rounding;
+    if (holds && high - low > 2.0 * kShortestSpan * width) middles.insert(0.5 * (low + high));
+  }
+  return middles;
+}
 
 std::vector<analysis::SideTrace> sideTraces(const layout::LayoutPlan& plan,
                                             const layout::PatchLayout& layout) {
@@ -129,9 +129,9 @@ std::vector<KnotWish> wishedKnots(const layout::LayoutPlan& plan,
         continue;
       const Eigen::Vector2d at = trace.at(place.t);
       if (alongU)
-        wishMiddle(layout.patches[p].u, at[0], u[p]);
+        u[p].merge(middlesAt(layout.patches[p].u, at[0]));
       else
-        wishMiddle(layout.patches[p].v, at[1], v[p]);
+        v[p].merge(middlesAt(layout.patches[p].v, at[1]));
     }
   }
   const auto seams = seamTraces(layout);
@@ -142,9 +142,9 @@ std::vector<KnotWish> wishedKnots(const layout::LayoutPlan& plan,
     const Eigen::Vector2d at =
         trace.start + report.seams[k].angle.parameter * (trace.end - trace.start);
     if (layout::directionOf(layout.seams[k].firstEdge) == 0)
-      wishMiddle(layout.patches[p].u, at[0], u[p]);
+      u[p].merge(middlesAt(layout.patches[p].u, at[0]));
     else
-      wishMiddle(layout.patches[p].v, at[1], v[p]);
+      v[p].merge(middlesAt(layout.patches[p].v, at[1]));
   }
   for (std::size_t p = 0; p < wishes.size(); ++p) {
     wishes[p].u.assign(u[p].begin(), u[p].end());

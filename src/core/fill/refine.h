@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <set>
 #include <vector>
 
 #include "core/analysis/measure_fill.h"
@@ -15,6 +16,10 @@ namespace fairing {
 
 /// Where the seams run.
 [[nodiscard]] std::vector<analysis::SeamTraces> seamTraces(const layout::PatchLayout& layout);
+
+/// The middle of the span that holds t, unless the span is as short as it may be. A place on a
+/// break belongs to both spans: rounding must not choose between them.
+[[nodiscard]] std::set<double> middlesAt(const spline::KnotVector& knots, double t);
 
 /// The knots that would help most: the middle of every span next to which a side is over `aim`
 /// times a limit of the report, but for what is the edge's own fault. Spans at corners whose twists
