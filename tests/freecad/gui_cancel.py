@@ -25,11 +25,16 @@ def open_panel(document, edge):
     assert gui.panel_is_open()
 
 
+def ask_for_too_much():
+    """A tolerance out of reach and points enough to go on trying for seconds."""
+    gui.type_into("polesSpin", "40000")
+    gui.type_into("angleSpin", f"{LONG_ANGLE} deg")
+
+
 def start_a_long_solve(document, edge):
     open_panel(document, edge)
     gui.wait_for_verdict()
-    gui.type_into("polesSpin", "40000")
-    gui.type_into("angleSpin", f"{LONG_ANGLE} deg")
+    ask_for_too_much()
     gui.wait_for(lambda: gui.widget("stopButton").isVisible(), "the progress bar of a long solve")
     assert solving_threads()
 
@@ -61,7 +66,7 @@ Gui.Selection.clearSelection()
 Gui.Selection.addSelection(document.Name, "Base")
 Gui.runCommand("Fairing_FillAllHoles")
 gui.wait_for_verdict("Fills")
-gui.type_into("angleSpin", f"{LONG_ANGLE} deg")
+ask_for_too_much()
 gui.wait_for(lambda: gui.widget("stopButton").isVisible(), "the progress bar of all holes")
 gui.press("Cancel")
 nothing_is_left(document, nodes)
