@@ -16,15 +16,22 @@ constexpr double kCoincide = 1e-6;   // of the diagonal
 constexpr double kNeighbour = 0.02;  // of the diagonal, along the loop
 constexpr int kMostSegments = 2048;  // of all sides
 constexpr int kNewtonSteps = 12;
+// A piece of a curve stays within this share of its chord's length of the chord's middle, hairpins
+// aside.
+constexpr double kReach = 0.8;
+// Pieces that follow each other meet at their common end alone, unless the second turns back: the
+// cosine between their chords.
+constexpr double kTurningBack = -0.5;
 
 /// A chord of a side.
 struct Segment {
   std::size_t side = 0;
   double from = 0.0, to = 0.0;  ///< side parameters
-  Vector3d middle = Vector3d::Zero();
+  Vector3d start = Vector3d::Zero(), end = Vector3d::Zero();
   double length = 0.0;
   double arc = 0.0;  ///< along the loop, up to the segment's start
 
+  [[nodiscard]] Vector3d middle() const { return 0.5 * (start + end); }
   [[nodiscard]] double arcAt(double t) const { return arc + length * (t - from) / (to - from); }
 };
 
@@ -38,8 +45,7 @@ class Crossings {
       for (int i = 0; i < parts; ++i) {
         const Vector3d end = point(k, (i + 1.0) / parts);
         const double length = (end - start).norm();
-        segments_.push_back(
-            {k, double(i) / parts, (i + 1.0) / parts, 0.5 * (start + end), length, around_});
+        segments_.push_back({k, double(i) / parts, (i + 1.0) / parts, start, end, length, around_});
         around_ += length;
         start = end;
       }
@@ -51,8 +57,9 @@ class Crossings {
       for (std::size_t b = a + 1; b < segments_.size(); ++b) {
         const Segment& one = segments_[a];
         const Segment& other = segments_[b];
-        // Curves stay within half a chord of the chord's middle line, hairpins aside.
-        if ((one.middle - other.middle).norm() > one.length + other.length) continue;
+        if (areApart(one, other) || (follows(a, b) && goesOn(one, other)) ||
+            (follows(b, a) && goesOn(other, one)))
+          continue;
         if (const auto where = coincide(one, other)) {
           return Error{.code = ErrorCode::LoopCrossesItself,
                        .edge = loop_.sides[one.side].edge,
@@ -66,6 +73,17 @@ class Crossings {
  private:
   [[nodiscard]] Vector3d point(std::size_t side, double t) const {
     return loop_.sides[side].ribbon.curve(t).point;
+  }
+
+  [[nodiscard]] static bool areApart(const Segment& one, const Segment& other) {
+    return (one.middle() - other.middle()).norm() > kReach * (one.length + other.length);
+  }
+  [[nodiscard]] bool follows(std::size_t a, std::size_t b) const {
+    return (a + 1) % segments_.size() == b;
+  }
+  [[nodiscard]] static bool goesOn(const Segment& one, const Segment& next) {
+    return (one.end - one.start).dot(next.end - next.start) >
+           kTurningBack * one.length * next.length;
   }
 
   /// Gauss-Newton on the distance of two points, one on either side, from the middles of the

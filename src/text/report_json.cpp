@@ -28,6 +28,7 @@ json toJson(const analysis::SideReport& side) {
           {"gap", toJson(side.gap)},
           {"angle", toJson(side.angle)},
           {"corner_angle", toJson(side.cornerAngle)},
+          {"corner_angle_limit", side.cornerAngleLimit},
           {"curvature", toJson(side.curvature)},
           {"support_deviation", side.supportDeviation},
           {"backwards", side.backwards},

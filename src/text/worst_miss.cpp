@@ -47,7 +47,7 @@ class Ranking {
     consider({Miss::Kind::Gap, side.gap.max / report.gapLimit, &side});
     if (!asksTangency(side)) return;
     consider({Miss::Kind::Angle, side.angle.max / report.angleLimit, &side});
-    consider({Miss::Kind::Corner, side.cornerAngle.max / report.cornerAngleLimit, &side});
+    consider({Miss::Kind::Corner, side.cornerAngle.max / side.cornerAngleLimit, &side});
     if (side.backwards) consider({Miss::Kind::Backwards, kCusp, &side});
     if (!asksCurvature(side)) return;
     consider({Miss::Kind::Curvature, side.curvature.max / report.curvatureLimit, &side});

@@ -140,7 +140,7 @@ def _explanation(side: dict, report: dict) -> str:
             translate("Fairing", "Angle {0}, allowed {1}").format(angle_text(side["angle"]["max"]),
                                                                   angle_text(report["limits"]["angle"])),
             translate("Fairing", "Angle next to the corners {0}, allowed {1}").format(
-                angle_text(side["corner_angle"]["max"]), angle_text(report["limits"]["corner_angle"])),
+                angle_text(side["corner_angle"]["max"]), angle_text(side["corner_angle_limit"])),
             _curvature_line(side, report),
         ]
     if side["backwards"]:

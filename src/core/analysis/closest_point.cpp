@@ -8,7 +8,9 @@ namespace fairing::analysis {
 namespace {
 
 constexpr int kMostSteps = 12;
-constexpr double kSmallStep = 1e-11;  // of the domain: far below any gap that is reported
+// Of the domain. What is left after a Newton step is of the order of its square, far below any gap
+// that is reported.
+constexpr double kSmallStep = 1e-6;
 
 // Newton's step for the squared distance; Gauss-Newton's where the Hessian is not positive
 // definite.
@@ -39,8 +41,8 @@ SurfaceFoot closestPoint(const spline::BsplineSurface& surface,
   best.distance = (best.jet.point - point).norm();
   for (int k = 0; k < kMostSteps; ++k) {
     Eigen::Vector2d move = step(best.jet, best.jet.point - point);
-    if (std::abs(move[0]) < kSmallStep * width && std::abs(move[1]) < kSmallStep * height)
-      return best;
+    const bool isLast =
+        std::abs(move[0]) < kSmallStep * width && std::abs(move[1]) < kSmallStep * height;
     SurfaceFoot next = best;
     for (int halving = 0; halving < 6; ++halving, move *= 0.5) {
       next.u = std::clamp(best.u + move[0], surface.u.first(), surface.u.last());
@@ -52,6 +54,7 @@ SurfaceFoot closestPoint(const spline::BsplineSurface& surface,
     }
     if (next.distance > best.distance) return best;
     best = next;
+    if (isLast) return best;
   }
   return best;
 }

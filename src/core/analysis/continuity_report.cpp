@@ -20,6 +20,8 @@ constexpr double kFlat = 0.01;
 // value of a quintic's first inner basis function with unit slope at the end is about 0.1.
 constexpr double kTwistShare = 0.1;
 constexpr double kFinestSpan = 1.0 / 64.0;
+// What the angle next to corners whose twists disagree may be, in limits of the others.
+constexpr double kTwistAllowance = 2.0;
 
 void add(Deviation& d, double value, const ProbePoint& probe) {
   if (d.count == 0 || value > d.max) {
@@ -80,7 +82,7 @@ void judge(FillReport& report) {
     if (side.asked != Continuity::G0) {
       side.withinTolerance = side.withinTolerance && !side.backwards &&
                              within(side.angle, report.angleLimit) &&
-                             within(side.cornerAngle, report.cornerAngleLimit);
+                             within(side.cornerAngle, side.cornerAngleLimit);
       report.largestAngle = std::max(report.largestAngle, side.angle.max);
       report.largestCornerAngle = std::max(report.largestCornerAngle, side.cornerAngle.max);
     }
@@ -119,6 +121,11 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
     entry.normalsAgree = corner.normalsAgree(report.angleLimit);
     entry.twistsAgree = kTwistShare * kFinestSpan * corner.twistMismatch <= report.angleLimit;
     report.corners.push_back(entry);
+  }
+  for (std::size_t k = 0; k < report.sides.size(); ++k) {
+    const std::size_t before = (k + loop.corners.size() - 1) % loop.corners.size();
+    const bool agree = report.corners[before].twistsAgree && report.corners[k].twistsAgree;
+    report.sides[k].cornerAngleLimit = (agree ? 1.0 : kTwistAllowance) * report.cornerAngleLimit;
   }
   return report;
 }

@@ -38,6 +38,9 @@ struct SideReport {
   Deviation gap;          ///< boundary curve to the patch's surface, mm
   Deviation angle;        ///< between the normals, inside, degrees
   Deviation cornerAngle;  ///< the same next to the corners, degrees
+  /// What cornerAngle may be: the report's cornerAngleLimit, twice that where a corner at either
+  /// end has twists that disagree (no smooth patch meets both). Degrees.
+  double cornerAngleLimit = 0.0;
   Deviation
       curvature;  ///< relative difference of the normal curvatures across the side, inside, 0 to 1
   double supportDeviation = 0.0;  ///< edge to its own support face as found in the base, mm
@@ -110,10 +113,10 @@ struct FillReport {
   double diagonal = 0.0;  ///< of the loop, mm
   double gapLimit = 0.0;  ///< the limits the verdict was made with, mm and degrees
   double angleLimit = 0.0;
-  double cornerAngleLimit = 0.0;
-  double curvatureLimit = 0.0;  ///< of G2 sides, relative
-  double largestGap = 0.0;      ///< over all sides
-  double largestAngle = 0.0;    ///< over all sides with G1, inside
+  double cornerAngleLimit = 0.0;  ///< at corners whose twists agree
+  double curvatureLimit = 0.0;    ///< of G2 sides, relative
+  double largestGap = 0.0;        ///< over all sides
+  double largestAngle = 0.0;      ///< over all sides with G1, inside
   double largestCornerAngle = 0.0;
   double largestCurvature = 0.0;  ///< mismatch over all sides with G2, inside, 0 to 1
   double largestSeamGap = 0.0, largestSeamAngle = 0.0;

@@ -40,7 +40,14 @@ struct GridPoint {
   spline::BasisRow basis;
 };
 
-std::vector<GridPoint> gridLine(const spline::KnotVector& knots, int points) {
+// Integrands are rational: three points a span give figures good to about 1e-3, wherever there are
+// spans enough.
+constexpr int kLeastOnSpan = 3;
+constexpr int kLeastOnPatch = 16;
+
+std::vector<GridPoint> gridLine(const spline::KnotVector& knots) {
+  const int spans = static_cast<int>(knots.breaks().size()) - 1;
+  const int points = std::max(kLeastOnSpan, (kLeastOnPatch + spans - 1) / spans);
   std::vector<GridPoint> line;
   for (const auto& q : spline::gaussLegendre(points, knots))
     line.push_back({q.weight, spline::basisRow(knots, q.parameter, 3)});
@@ -70,9 +77,8 @@ double normalCurvature(const spline::SurfaceJet& jet, const Vector3d& direction)
 
 FairnessReport measureFairness(const std::vector<spline::BsplineSurface>& patches) {
   FairnessReport report;
-  constexpr int kPoints = 3;  // a span: integrands are rational, figures good to about 1e-3
   for (const spline::BsplineSurface& patch : patches) {
-    const auto alongU = gridLine(patch.u, kPoints), alongV = gridLine(patch.v, kPoints);
+    const auto alongU = gridLine(patch.u), alongV = gridLine(patch.v);
     for (const GridPoint& qu : alongU)
       for (const GridPoint& qv : alongV) {
         const Curvature c = curvatureFrom(patch.derivatives(qu.basis, qv.basis, 3));

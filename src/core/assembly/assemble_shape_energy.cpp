@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/assembly/assemble_shape_energy.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/base/assert.h"
@@ -17,32 +18,58 @@ using shape_energy::ShapeEnergy;
 using spline::BasisRow;
 using spline::BsplineSurface;
 
-// A quadrature point of one direction with its basis functions, evaluated once for the whole grid.
+// Derivatives (a, b) along (u, v) in the order of a jet's columns.
+constexpr int kOrders[9][2] = {
+    {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}};
+
+// A quadrature point of one direction with its basis functions.
 struct GridPoint {
   double weight;
   BasisRow basis;
 };
 
-std::vector<GridPoint> gridPoints(const spline::KnotVector& knots, int points) {
-  std::vector<GridPoint> line;
-  for (const auto& q : spline::gaussLegendre(points, knots))
-    line.push_back({q.weight, spline::basisRow(knots, q.parameter, 3)});
-  return line;
-}
-
-// One direction's quadrature points, `perSpan` of every span one after the other.
+// One direction's quadrature points, `perSpan` of every span one after the other, evaluated once
+// for the whole grid.
 struct GridLine {
   GridLine(const spline::KnotVector& knots, int asked)
-      : perSpan(static_cast<std::size_t>(asked > 0 ? asked : knots.degree())),
-        points(gridPoints(knots, static_cast<int>(perSpan))) {}
+      : perSpan(static_cast<std::size_t>(asked > 0 ? asked : knots.degree())) {
+    for (const auto& q : spline::gaussLegendre(static_cast<int>(perSpan), knots))
+      points.push_back({q.weight, spline::basisRow(knots, q.parameter, 3)});
+    for (std::size_t a = 0; a < values.size(); ++a) {
+      values[a].setZero(static_cast<Index>(points.size()), knots.poleCount());
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const BasisRow& row = points[k].basis;
+        values[a].row(static_cast<Index>(k)).segment(row.first, row.values.cols()) =
+            row.values.row(static_cast<Index>(a));
+      }
+    }
+  }
 
   std::size_t perSpan;
   std::vector<GridPoint> points;
+  std::array<MatrixXd, 4> values;  // [a](k, i): a-th derivative of basis function i at point k
 };
 
-// Derivatives (a, b) along (u, v) in the order of a jet's columns.
-constexpr int kOrders[9][2] = {
-    {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}};
+// The patch's jet at every point of the grid, those of one u after the other. One coordinate's
+// derivative (a, b) is  U_a P V_b'.
+std::vector<Jet> gridJets(const BsplineSurface& patch, const GridLine& u, const GridLine& v) {
+  using Stride = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
+  const Index nu = patch.u.poleCount(), nv = patch.v.poleCount();
+  std::vector<Jet> jets(u.points.size() * v.points.size());
+  std::array<MatrixXd, 4> alongV;
+  for (Index c = 0; c < 3; ++c) {
+    const Eigen::Map<const MatrixXd, 0, Stride> poles(
+        patch.poles.data() + c, nu, nv, Stride(3, 3 * nv));
+    for (std::size_t b = 0; b < alongV.size(); ++b)
+      alongV[b].noalias() = v.values[b] * poles.transpose();
+    for (Index k = 0; k < 9; ++k) {
+      const MatrixXd derivative = alongV[static_cast<std::size_t>(kOrders[k][1])] *
+                                  u.values[static_cast<std::size_t>(kOrders[k][0])].transpose();
+      for (std::size_t q = 0; q < jets.size(); ++q) jets[q](c, k) = derivative.data()[q];
+    }
+  }
+  return jets;
+}
 
 // Row k: the derivative that is the jet's column k, of each control point's basis function.
 using JetBasis = Eigen::Matrix<double, 9, Eigen::Dynamic>;
@@ -60,31 +87,28 @@ void setJetBasis(const BasisRow& bu, const BasisRow& bv, JetBasis& basis) {
 class SpanModel {
  public:
   SpanModel(const BsplineSurface& patch, const BasisRow& bu, const BasisRow& bv) {
-    const Index ku = bu.values.cols(), kv = bv.values.cols();
-    poles_.resize(3, ku * kv);
+    const int ku = static_cast<int>(bu.values.cols()), kv = static_cast<int>(bv.values.cols());
     basis_.resize(9, ku * kv);
-    for (Index i = 0; i < ku; ++i)
-      for (Index j = 0; j < kv; ++j) {
-        const int pole =
-            patch.index(bu.first + static_cast<int>(i), bv.first + static_cast<int>(j));
-        indices_.push_back(pole);
-        poles_.col(i * kv + j) = patch.poles.row(pole).transpose();
-      }
+    for (int i = 0; i < ku; ++i)
+      for (int j = 0; j < kv; ++j) indices_.push_back(patch.index(bu.first + i, bv.first + j));
   }
 
-  void add(const GridPoint& qu, const GridPoint& qv, const ShapeEnergy& energy, Index pointsLeft) {
+  void add(const GridPoint& qu,
+           const GridPoint& qv,
+           const Jet& jet,
+           const ShapeEnergy& energy,
+           Index pointsLeft) {
     setJetBasis(qu.basis, qv.basis, basis_);
-    const Jet jet = poles_.lazyProduct(basis_.transpose());
     const shape_energy::ResidualsWithDerivatives r = energy.linearised(jet);
     const Index count = r.values.size(), rows = filled_ + count * pointsLeft;
     if (jacobian_.rows() < rows) {
-      jacobian_.conservativeResize(rows, 3 * poles_.cols());
+      jacobian_.conservativeResize(rows, 3 * basis_.cols());
       residuals_.conservativeResize(rows);
     }
     const double scale = std::sqrt(qu.weight * qv.weight);
     for (Index k = 0; k < count; ++k, ++filled_) {
       const Jet slopes = scale * Eigen::Map<const Jet>(r.derivatives.row(k).data());
-      Eigen::Map<Eigen::Matrix3Xd>(jacobian_.row(filled_).data(), 3, poles_.cols()) =
+      Eigen::Map<Eigen::Matrix3Xd>(jacobian_.row(filled_).data(), 3, basis_.cols()) =
           slopes.lazyProduct(basis_);
       residuals_[filled_] = scale * r.values[k];
     }
@@ -105,7 +129,6 @@ class SpanModel {
 
  private:
   std::vector<int> indices_;
-  Eigen::Matrix3Xd poles_;
   JetBasis basis_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian_;
   Eigen::VectorXd residuals_;
@@ -118,13 +141,18 @@ void appendElements(const BsplineSurface& patch,
                     int points,
                     std::vector<ShapeElement>& elements) {
   const GridLine u(patch.u, points), v(patch.v, points);
+  const std::vector<Jet> jets = gridJets(patch, u, v);
   for (std::size_t su = 0; su < u.points.size(); su += u.perSpan)
     for (std::size_t sv = 0; sv < v.points.size(); sv += v.perSpan) {
       SpanModel model(patch, u.points[su].basis, v.points[sv].basis);
       std::size_t left = u.perSpan * v.perSpan;
       for (std::size_t i = su; i < su + u.perSpan; ++i)
         for (std::size_t j = sv; j < sv + v.perSpan; ++j, --left)
-          model.add(u.points[i], v.points[j], energy, static_cast<Index>(left));
+          model.add(u.points[i],
+                    v.points[j],
+                    jets[i * v.points.size() + j],
+                    energy,
+                    static_cast<Index>(left));
       elements.push_back(model.finish(numbers));
     }
 }
@@ -148,11 +176,11 @@ double shapeEnergyOf(const std::vector<BsplineSurface>& patches,
   double sum = 0.0;
   for (const BsplineSurface& patch : patches) {
     const GridLine u(patch.u, points), v(patch.v, points);
+    const std::vector<Jet> jets = gridJets(patch, u, v);
+    auto jet = jets.begin();
     for (const GridPoint& qu : u.points)
-      for (const GridPoint& qv : v.points) {
-        const Jet jet = spline::thirdOrderJet(patch.derivatives(qu.basis, qv.basis, 3));
-        sum += qu.weight * qv.weight * energy.residuals(jet).squaredNorm();
-      }
+      for (const GridPoint& qv : v.points)
+        sum += qu.weight * qv.weight * energy.residuals(*jet++).squaredNorm();
   }
   return sum;
 }

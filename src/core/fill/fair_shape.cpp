@@ -22,7 +22,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kDensity = 3.0;    // spans over a length as long as the hole is wide
+// Spans over a length as long as the hole is wide. Patches that meet in an inner vertex need more
+// (an octant of a sphere: 4e-5 of the diagonal off at 2, 5e-6 at 3), and so does what guidance
+// shapes.
+constexpr double kDensity = 2.0, kHighDensity = 3.0;
 constexpr double kFitShare = 1e-3;  // of the diagonal: how closely the sides are followed
 constexpr int kMostPolesAlong = 14;
 constexpr int kSteps = 2;
@@ -145,8 +148,10 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
                                            Progress* progress) {
   const auto energy = shapeEnergy(options.energy);
   if (!energy) return std::nullopt;
+  const bool needsMore = layout.patches.size() > 1 || options.guidance.acts();
+  const double density = needsMore ? kHighDensity : kDensity;
   FairShape shape{
-      layout::coarseLayout(plan, layout, {kDensity, kFitShare * diagonal, kMostPolesAlong}), {}};
+      layout::coarseLayout(plan, layout, {density, kFitShare * diagonal, kMostPolesAlong}), {}};
   auto program = makeProgram(plan, shape.layout, EnergyKind::ThinPlate);
   if (!program) return fail(program.error());
   auto current = solver::solve(*program);

@@ -31,7 +31,7 @@ namespace {
 constexpr double kFitShare = 0.3;
 // Refinement goes on until the deviations are below this share of the limits: they are sampled, the
 // peaks lie between.
-constexpr double kAim = 0.7;
+constexpr double kAim = 0.6;
 // Solves about the last one's solution that make the rows of G2 sides and inner constraints exact.
 constexpr int kNewtonSteps = 3;
 // What an edge that lies off its face may keep of its own angle: the rest of the limit is the

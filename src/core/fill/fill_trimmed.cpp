@@ -6,6 +6,7 @@
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
 #include "core/fill/measure_trimmed.h"
+#include "core/fill/refine.h"
 #include "core/height_field/height_energy.h"
 #include "core/height_field/height_guidance.h"
 #include "core/height_field/height_knots.h"
@@ -111,12 +112,6 @@ Result<Heights> solveOn(const Work& work,
 }
 
 bool isBetter(const analysis::FillReport& a, const analysis::FillReport& b) {
-  const auto excess = [](const analysis::FillReport& r) {
-    return std::max({r.largestGap / r.gapLimit,
-                     r.largestAngle / r.angleLimit,
-                     r.largestCornerAngle / r.cornerAngleLimit,
-                     r.largestInnerGap / r.gapLimit});
-  };
   return a.withinTolerance != b.withinTolerance ? a.withinTolerance : excess(a) < excess(b);
 }
 

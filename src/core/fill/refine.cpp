@@ -2,6 +2,7 @@
 #include "core/fill/refine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace fairing {
@@ -36,27 +37,98 @@ EdgeEnds edgeEnds(const LayoutPatch& patch, PatchEdge edge) {
 // An angle the edge's own tangent forces is not worth a knot; what is beyond it by this factor is.
 constexpr double kBeyondFloor = 1.25;
 
-bool isTooLarge(const analysis::AnglePlace& place,
-                const analysis::FillReport& report,
-                Continuity asked,
-                double aim) {
-  if (asked == Continuity::G2 && place.curvature > aim * report.curvatureLimit) return true;
-  const double limit = place.inCorner ? report.cornerAngleLimit : report.angleLimit;
-  return place.angle > std::max(aim * limit, kBeyondFloor * place.floor);
+// How far an angle is above what is aimed at there; above 1 it is worth a knot.
+double share(const analysis::AnglePlace& place,
+             const analysis::SideReport& side,
+             const analysis::FillReport& report,
+             double aim) {
+  const double limit = place.inCorner ? side.cornerAngleLimit : report.angleLimit;
+  return place.angle / std::max(aim * limit, kBeyondFloor * place.floor);
 }
 
-// How far over the limits a report is; 1 = just within. The sum over the sides tells reports apart
-// whose worst place is the same. A patch that leaves a side backwards is worse than any.
+bool isTooLarge(const analysis::AnglePlace& place,
+                const analysis::SideReport& side,
+                const analysis::FillReport& report,
+                double aim) {
+  if (side.asked == Continuity::G2 && place.curvature > aim * report.curvatureLimit) return true;
+  return share(place, side, report, aim) > 1.0;
+}
+
+// What twists that disagree leave at a corner falls as fast as the span next to it, so that the
+// halvings it takes are known beforehand. Not all at once: they are not needed where the angle
+// falls faster than that.
+constexpr int kMostHalvings = 4;
+
+int halvingsFor(double share) {
+  return std::clamp(static_cast<int>(std::ceil(std::log2(share))), 1, kMostHalvings);
+}
+
+// The knots that halve the span next to an end of the patch again and again.
+std::set<double> gradedTo(bool start, const spline::KnotVector& knots, int halvings) {
+  const std::vector<double> breaks = knots.breaks();
+  const double end = start ? breaks.front() : breaks.back();
+  const double next = start ? breaks[1] : breaks[breaks.size() - 2];
+  const double shortest = kShortestSpan * (knots.last() - knots.first());
+  std::set<double> graded;
+  double width = next - end;
+  for (int k = 0; k < halvings && std::abs(width) > 2.0 * shortest; ++k) {
+    width *= 0.5;
+    graded.insert(end + width);
+  }
+  return graded;
+}
+
+// Whether the twists at the start (or end) of a side disagree.
+bool twistsDisagree(const analysis::FillReport& report, std::size_t side, bool start) {
+  const std::size_t n = report.corners.size();
+  return n == report.sides.size() && !report.corners[start ? (side + n - 1) % n : side].twistsAgree;
+}
+
+// The knots along the stretch of a side that runs on one patch edge, in the patch's direction
+// `axis`.
+std::set<double> wishedAlong(const analysis::SideTrace& trace,
+                             int axis,
+                             const spline::KnotVector& knots,
+                             const analysis::FillReport& report,
+                             double aim) {
+  std::set<double> wished;
+  const auto number = static_cast<std::size_t>(trace.side);
+  const analysis::SideReport& side = report.sides[number];
+  if (side.asked == Continuity::G0) return wished;
+  const std::vector<double> breaks = knots.breaks();
+  double worstLow = 0.0, worstHigh = 0.0;  // shares in the spans next to the patch's ends
+  for (const analysis::AnglePlace& place : side.angleCurve) {
+    if (place.t < trace.from || place.t > trace.to || !isTooLarge(place, side, report, aim))
+      continue;
+    const double at = trace.at(place.t)[axis];
+    wished.merge(middlesAt(knots, at));
+    const double over = share(place, side, report, aim);
+    if (at < breaks[1]) worstLow = std::max(worstLow, over);
+    if (at > breaks[breaks.size() - 2]) worstHigh = std::max(worstHigh, over);
+  }
+  const bool rises = trace.end[axis] > trace.start[axis];
+  for (const bool start : {true, false}) {
+    const bool isCorner = start ? trace.from == 0.0 : trace.to == 1.0;
+    const double worst = start == rises ? worstLow : worstHigh;
+    if (isCorner && worst > 1.0 && twistsDisagree(report, number, start))
+      wished.merge(gradedTo(start == rises, knots, halvingsFor(worst)));
+  }
+  return wished;
+}
+
+}  // namespace
+
 double excess(const analysis::FillReport& report) {
   constexpr double kBackwards = 1e6;
   constexpr double kTieShare = 1e-3;
-  double worst = report.largestSeamAngle / report.angleLimit, sum = worst;
+  double worst = std::max(report.largestSeamAngle / report.angleLimit,
+                          report.largestInnerGap / report.gapLimit);
+  double sum = worst;
   for (const analysis::SideReport& side : report.sides) {
     double own = side.gap.max / report.gapLimit;
     if (side.asked != Continuity::G0) {
-      own = std::max({own,
-                      side.angle.max / report.angleLimit,
-                      side.cornerAngle.max / report.cornerAngleLimit});
+      own = std::max(
+          {own, side.angle.max / report.angleLimit, side.cornerAngle.max / side.cornerAngleLimit});
       if (side.asked == Continuity::G2)
         own = std::max(own, side.curvature.max / report.curvatureLimit);
       if (side.backwards) own += kBackwards;
@@ -66,8 +138,6 @@ double excess(const analysis::FillReport& report) {
   }
   return worst + kTieShare * sum;
 }
-
-}  // namespace
 
 std::set<double> middlesAt(const spline::KnotVector& knots, double t) {
   const double width = knots.last() - knots.first(), rounding = 1e-9 * width;
@@ -121,18 +191,9 @@ std::vector<KnotWish> wishedKnots(const layout::LayoutPlan& plan,
   std::vector<std::set<double>> u(layout.patches.size()), v(layout.patches.size());
   for (const analysis::SideTrace& trace : sideTraces(plan, layout)) {
     const auto p = static_cast<std::size_t>(trace.patch);
-    const analysis::SideReport& side = report.sides[static_cast<std::size_t>(trace.side)];
-    if (side.asked == Continuity::G0) continue;
     const bool alongU = trace.start[1] == trace.end[1];
-    for (const analysis::AnglePlace& place : side.angleCurve) {
-      if (place.t < trace.from || place.t > trace.to || !isTooLarge(place, report, side.asked, aim))
-        continue;
-      const Eigen::Vector2d at = trace.at(place.t);
-      if (alongU)
-        u[p].merge(middlesAt(layout.patches[p].u, at[0]));
-      else
-        v[p].merge(middlesAt(layout.patches[p].v, at[1]));
-    }
+    (alongU ? u : v)[p].merge(wishedAlong(
+        trace, alongU ? 0 : 1, alongU ? layout.patches[p].u : layout.patches[p].v, report, aim));
   }
   const auto seams = seamTraces(layout);
   for (std::size_t k = 0; k < seams.size(); ++k) {

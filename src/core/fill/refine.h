@@ -30,6 +30,10 @@ namespace fairing {
                                                         double aim);
 [[nodiscard]] bool nothingWished(const std::vector<layout::KnotWish>& wishes);
 
+/// How far over its limits a report is; 1 = just within. The sum over the sides tells reports apart
+/// whose worst place is the same. A patch that leaves a side backwards is worse than any.
+[[nodiscard]] double excess(const analysis::FillReport& report);
+
 /// The one of two results that is less over its limits; it keeps the count of solves of the later
 /// one.
 [[nodiscard]] FillResult better(FillResult before, FillResult after);

@@ -3,7 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
-#include <optional>
+#include <array>
 
 // Minimise 1/2 sum K_ij x_i . x_j - f . x  over X = x0 + T y, T touching the bound points only.
 // Most points of a patch are inner ones, which no constraint touches; eliminated first, they leave
@@ -43,7 +43,8 @@ Partition partition(const QuadraticProgram& program, const AffineSpace& space) {
 // The scalar stiffness by roles, and the right sides f - K x over the fixed points.
 struct Blocks {
   std::vector<Eigen::Triplet<double>> inner;
-  MatrixXd ib, bb;
+  Sparse ib;
+  MatrixXd bb;
   Points rightInner, rightBound;
 };
 
@@ -59,8 +60,8 @@ void addLoad(const QuadraticProgram& program, const Partition& parts, Blocks& k)
 Blocks gather(const QuadraticProgram& program, const Partition& parts) {
   const auto ni = static_cast<Index>(parts.inner.size());
   const auto nb = static_cast<Index>(parts.bound.size());
-  Blocks k{
-      {}, MatrixXd::Zero(ni, nb), MatrixXd::Zero(nb, nb), Points::Zero(ni, 3), Points::Zero(nb, 3)};
+  Blocks k{{}, Sparse(ni, nb), MatrixXd::Zero(nb, nb), Points::Zero(ni, 3), Points::Zero(nb, 3)};
+  std::vector<Eigen::Triplet<double>> ib;
   k.inner.reserve(static_cast<std::size_t>(program.stiffness.nonZeros()));
   for (int j = 0; j < program.stiffness.outerSize(); ++j) {
     const Role column = parts.role[static_cast<std::size_t>(j)];
@@ -75,12 +76,13 @@ Blocks gather(const QuadraticProgram& program, const Partition& parts) {
       } else if (row == Role::Bound) {
         k.bb(placeI, placeJ) = it.value();
       } else if (column == Role::Bound) {
-        k.ib(placeI, placeJ) = it.value();
+        ib.emplace_back(placeI, placeJ, it.value());
       } else {
         k.inner.emplace_back(placeI, placeJ, it.value());
       }
     }
   }
+  k.ib.setFromTriplets(ib.begin(), ib.end());
   addLoad(program, parts, k);
   return k;
 }
@@ -117,32 +119,38 @@ class InnerFactor {
   Eigen::SimplicialLLT<Sparse> sparse_;
 };
 
-// The rows of T of the bound points, in the columns they use: 3 nb x m.
-MatrixXd boundBasis(const AffineSpace& space, const Partition& parts) {
-  std::vector<Index> rowOf(static_cast<std::size_t>(space.basis.rows()), -1);
+// The rows of T of the bound points, in the columns they use: nb x m for each coordinate. Sparse,
+// since a free unknown moves the points of its own side alone.
+using BoundBasis = std::array<Sparse, 3>;
+
+BoundBasis boundBasis(const AffineSpace& space, const Partition& parts) {
+  std::vector<int> rowOf(static_cast<std::size_t>(space.basis.rows() / 3), -1);
   for (std::size_t b = 0; b < parts.bound.size(); ++b)
-    for (int c = 0; c < 3; ++c)
-      rowOf[static_cast<std::size_t>(3 * parts.bound[b] + c)] = 3 * static_cast<Index>(b) + c;
-  std::vector<int> columns;
+    rowOf[static_cast<std::size_t>(parts.bound[b])] = static_cast<int>(b);
+  std::array<std::vector<Eigen::Triplet<double>>, 3> entries;
+  int columns = 0;
   for (int j = 0; j < space.basis.outerSize(); ++j) {
-    const Sparse::InnerIterator it(space.basis, j);
-    if (it && rowOf[static_cast<std::size_t>(it.row())] >= 0) columns.push_back(j);
+    const Sparse::InnerIterator first(space.basis, j);
+    if (!first || rowOf[static_cast<std::size_t>(first.row() / 3)] < 0) continue;
+    for (Sparse::InnerIterator it(space.basis, j); it; ++it)
+      entries[static_cast<std::size_t>(it.row() % 3)].emplace_back(
+          rowOf[static_cast<std::size_t>(it.row() / 3)], columns, it.value());
+    ++columns;
   }
-  MatrixXd basis = MatrixXd::Zero(3 * static_cast<Index>(parts.bound.size()),
-                                  static_cast<Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    for (Sparse::InnerIterator it(space.basis, columns[k]); it; ++it)
-      basis(rowOf[static_cast<std::size_t>(it.row())], static_cast<Index>(k)) = it.value();
+  BoundBasis basis;
+  for (std::size_t c = 0; c < 3; ++c) {
+    basis[c].resize(static_cast<Index>(parts.bound.size()), columns);
+    basis[c].setFromTriplets(entries[c].begin(), entries[c].end());
+  }
   return basis;
 }
 
 // T'(S (x) I3)T without forming the Kronecker product: one product a coordinate.
-MatrixXd projected(const MatrixXd& schur, const MatrixXd& basis) {
-  MatrixXd result = MatrixXd::Zero(basis.cols(), basis.cols());
-  for (Index c = 0; c < 3; ++c) {
-    const MatrixXd rows = basis(Eigen::seq(c, basis.rows() - 1, 3), Eigen::all);
+MatrixXd projected(const MatrixXd& schur, const BoundBasis& basis) {
+  MatrixXd result = MatrixXd::Zero(basis[0].cols(), basis[0].cols());
+  for (const Sparse& rows : basis) {
     const MatrixXd reached = schur * rows;
-    result.noalias() += rows.transpose() * reached;
+    result += rows.transpose() * reached;
   }
   return result;
 }
@@ -157,13 +165,16 @@ Result<Points> solveBound(const MatrixXd& schur,
     offset.row(b) =
         space.offset.segment<3>(3 * parts.bound[static_cast<std::size_t>(b)]).transpose();
   right -= schur * offset;
-  const MatrixXd basis = boundBasis(space, parts);
-  if (basis.cols() == 0) return offset;
+  const BoundBasis basis = boundBasis(space, parts);
+  if (basis[0].cols() == 0) return offset;
   const Eigen::LLT<MatrixXd> factor(projected(schur, basis));
   if (factor.info() != Eigen::Success) return fail({ErrorCode::SystemSingular});
-  const Eigen::Map<const VectorXd> flat(right.data(), right.size());
-  const VectorXd moved = basis * factor.solve(basis.transpose() * flat);
-  return Points(offset + Eigen::Map<const Points>(moved.data(), nb, 3));
+  VectorXd pull = VectorXd::Zero(basis[0].cols());
+  for (Index c = 0; c < 3; ++c)
+    pull += basis[static_cast<std::size_t>(c)].transpose() * right.col(c);
+  const VectorXd free = factor.solve(pull);
+  for (Index c = 0; c < 3; ++c) offset.col(c) += basis[static_cast<std::size_t>(c)] * free;
+  return offset;
 }
 
 }  // namespace

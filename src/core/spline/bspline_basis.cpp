@@ -39,7 +39,7 @@ Table basisTable(const std::vector<double>& knots, int degree, int span, double 
 // Derivatives of basis function r (counted from the first non-vanishing one), [PieglTiller1997]
 // eq. 2.9.
 void fillDerivatives(const Table& table, int degree, int order, int r, BasisRow& row) {
-  std::array<std::array<double, kMaxDegree + 1>, 2> a{};
+  std::array<std::array<double, kMaxDegree + 1>, 2> a;
   a[0][0] = 1.0;
   std::size_t current = 0, next = 1;
   const auto ndu = [&](int i, int j) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/spline/quadrature.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,10 +23,9 @@ Legendre legendre(int n, double x) {
   return {value, n * (x * value - before) / (x * x - 1.0)};
 }
 
-}  // namespace
-
-std::vector<QuadraturePoint> gaussLegendre(int n, double a, double b) {
-  if (n == 1) return {{0.5 * (a + b), b - a}};
+// The rule on [-1, 1].
+std::vector<QuadraturePoint> makeRule(int n) {
+  if (n == 1) return {{0.0, 2.0}};
   std::vector<QuadraturePoint> points;
   for (int i = 0; i < n; ++i) {
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));  // a close guess of root i
@@ -36,9 +36,29 @@ std::vector<QuadraturePoint> gaussLegendre(int n, double a, double b) {
       if (std::abs(step) < 1e-15) break;
     }
     const double slope = legendre(n, x).derivative;
-    points.push_back(
-        {0.5 * (a + b) + 0.5 * (b - a) * x, (b - a) / ((1.0 - x * x) * slope * slope)});
+    points.push_back({x, 2.0 / ((1.0 - x * x) * slope * slope)});
   }
+  return points;
+}
+
+// The usual ones are made once.
+std::vector<QuadraturePoint> rule(int n) {
+  constexpr std::size_t kKept = 32;
+  static const auto kRules = [] {
+    std::array<std::vector<QuadraturePoint>, kKept> rules;
+    for (std::size_t k = 1; k < kKept; ++k) rules[k] = makeRule(static_cast<int>(k));
+    return rules;
+  }();
+  const auto k = static_cast<std::size_t>(n);
+  return k < kKept ? kRules[k] : makeRule(n);
+}
+
+}  // namespace
+
+std::vector<QuadraturePoint> gaussLegendre(int n, double a, double b) {
+  std::vector<QuadraturePoint> points = rule(n);
+  for (QuadraturePoint& q : points)
+    q = {0.5 * (a + b) + 0.5 * (b - a) * q.parameter, 0.5 * (b - a) * q.weight};
   return points;
 }
 

@@ -45,6 +45,7 @@ FillReport good() {
     side.gap = deviation(1.2e-6);
     side.angle = deviation(0.004);
     side.cornerAngle = deviation(0.001);
+    side.cornerAngleLimit = report.cornerAngleLimit;
     side.withinTolerance = true;
     report.sides.push_back(side);
   }

@@ -115,9 +115,9 @@ TEST(AssembleShapeEnergy, ValueIsTheEnergyAlone) {
 
 TEST(AssembleShapeEnergy, EnergyIsTheOneMeasured) {
   const BsplineSurface patch = bumpyPatch();
-  // The analysis takes three points a span: by the same ones they agree to rounding.
+  // The analysis takes sixteen points over two spans: by the same ones they agree to rounding.
   EXPECT_NEAR(
-      energyOf(patch, 3) / analysis::measureFairness({patch}).meanCurvatureGradient, 1.0, 1e-12);
+      energyOf(patch, 8) / analysis::measureFairness({patch}).meanCurvatureGradient, 1.0, 1e-12);
 }
 
 TEST(AssembleShapeEnergy, GradientIsThatOfDifferences) {

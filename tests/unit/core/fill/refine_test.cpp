@@ -29,6 +29,7 @@ analysis::FillReport reportWith(std::size_t side, std::vector<analysis::AnglePla
   report.cornerAngleLimit = 0.05;
   report.gapLimit = 1e-6;
   report.sides.resize(4);
+  for (analysis::SideReport& s : report.sides) s.cornerAngleLimit = report.cornerAngleLimit;
   report.sides[side].angleCurve = std::move(places);
   return report;
 }
