@@ -2,6 +2,7 @@
 #include "cli/arguments.h"
 
 #include "cli/guide_file.h"
+#include "cli/options.h"
 #include "cli/parse.h"
 #include "cli/through.h"
 #include "occt/inner_constraints.h"
@@ -11,13 +12,6 @@
 
 namespace fairing::cli {
 namespace {
-
-void addList(CLI::App& command,
-             const char* name,
-             std::vector<std::string>& list,
-             const char* help) {
-  command.add_option(name, list, help)->delimiter(',')->allow_extra_args(false);
-}
 
 void addRepeated(CLI::App& command,
                  const char* name,
@@ -77,12 +71,9 @@ Result<occt::Picks> PickArguments::picks() const {
   const auto common = text::continuityFrom(continuity);
   if (!common) return fail(unknown("--continuity", continuity));
   result.continuity = *common;
-  for (const std::string& word : edgeContinuity) {
-    const auto wish = parseWish(word);
-    const auto asked = wish ? text::continuityFrom(wish->second) : std::nullopt;
-    if (!asked) return fail(unknown("--edge-continuity", word));
-    result.edgeContinuity[wish->first] = *asked;
-  }
+  const auto wishes = continuityWishes(edgeContinuity);
+  if (!wishes) return fail(wishes.error());
+  result.edgeContinuity = *wishes;
   using Kind = occt::EdgeDirection::Kind;
   const auto added = addDirections(tangents, "--tangent", Kind::Tangent, result.directions);
   if (!added) return fail(added.error());
@@ -92,11 +83,7 @@ Result<occt::Picks> PickArguments::picks() const {
 }
 
 Result<Tolerance> PickArguments::tolerance() const {
-  Tolerance result;
-  if (gap && !(*gap > 0.0)) return fail({.code = ErrorCode::ToleranceNotPositive, .value = *gap});
-  result.gap = gap.value_or(result.gap);
-  result.angle = angle.value_or(result.angle);
-  return result;
+  return toleranceFrom(gap, angle);
 }
 
 void FillArguments::addTo(CLI::App& command) {
@@ -179,9 +166,7 @@ Result<std::vector<InnerConstraint>> FillArguments::innerConstraints(
 }
 
 Result<occt::ResultMode> FillArguments::mode() const {
-  const auto known = occt::resultModeFrom(result);
-  if (!known) return fail(unknown("--result", result));
-  return *known;
+  return modeFrom(result);
 }
 
 void ReportArguments::addTo(CLI::App& command) {

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/fill/fill_options.h"
+#include "core/blend/blend_chains.h"
+#include "core/span/fill_options.h"
 #include "occt/picks.h"
+#include "occt/read_chains.h"
 #include "occt/result_mode.h"
 #include "occt/shape_index.h"
 #include "text/words.h"
@@ -48,6 +50,24 @@ struct FillArguments {
   /// and the codes of readThrough().
   [[nodiscard]] Result<std::vector<InnerConstraint>> innerConstraints(
       const occt::ShapeIndex& index) const;
+};
+
+/// A blend: two sides, or edges that make them.
+struct BlendArguments {
+  std::string shape, out, report;
+  std::vector<std::string> edges, from, to, edgeContinuity;
+  std::string continuity = "G1";
+  std::string energy{text::word(FillOptions{}.energy)}, result = "patches";
+  std::optional<double> gap, angle;
+  int degree = 0, maxPoles = FillOptions{}.maxPoles;
+
+  void addTo(CLI::App& command);
+  /// Fails with UnknownChoice, TooManyChains where `edges` are not two chains, and the codes of
+  /// groupEdges().
+  [[nodiscard]] Result<occt::BlendPicks> picks(const occt::ShapeIndex& index) const;
+  /// Fails with UnknownChoice and the codes of validate().
+  [[nodiscard]] Result<BlendOptions> options() const;
+  [[nodiscard]] Result<occt::ResultMode> mode() const;
 };
 
 struct ReportArguments {

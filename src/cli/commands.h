@@ -12,6 +12,7 @@ enum class Outcome {
 };
 
 [[nodiscard]] Outcome runFill(const FillArguments& arguments);
+[[nodiscard]] Outcome runBlend(const BlendArguments& arguments);
 [[nodiscard]] Outcome runReport(const ReportArguments& arguments);
 
 }  // namespace fairing::cli

@@ -32,12 +32,8 @@ Result<Job> prepare(const FillArguments& arguments) {
   if (!mode) return fail(mode.error());
   auto options = arguments.options();
   if (!options) return fail(options.error());
-  if (const auto writable = occt::checkWritable(arguments.out); !writable)
+  if (const auto writable = checkOutputs(arguments.out, arguments.report); !writable)
     return fail(writable.error());
-  if (!arguments.report.empty()) {
-    if (const auto writable = checkJsonWritable(arguments.report); !writable)
-      return fail(writable.error());
-  }
   const auto shape = occt::readShape(arguments.shape);
   if (!shape) return fail(shape.error());
   Job job{std::move(*options), *mode, occt::ShapeIndex(*shape), {}};

@@ -27,9 +27,9 @@ Outcome run(int argc, char** argv) {
       app.add_subcommand("report", "measure faces against the hole they fill");
   report.addTo(*reportCommand);
 
-  CLI::App* blendCommand =
-      app.add_subcommand("blend", "join two chains of edges (not available yet)");
-  blendCommand->allow_extras();
+  fairing::cli::BlendArguments blend;
+  CLI::App* blendCommand = app.add_subcommand("blend", "join two chains of edges by a strip");
+  blend.addTo(*blendCommand);
 
   try {
     app.parse(argc, argv);
@@ -43,8 +43,7 @@ Outcome run(int argc, char** argv) {
   }
   if (*fillCommand) return fairing::cli::runFill(fill);
   if (*reportCommand) return fairing::cli::runReport(report);
-  fairing::cli::complain("Blending is not available yet; fairing fill fills holes.");
-  return Outcome::NothingWritten;
+  return fairing::cli::runBlend(blend);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "occt/shape_file.h"
 #include "text/error_text.h"
 
 namespace fairing::cli {
@@ -23,6 +24,15 @@ std::string partialName(const std::string& path) {
   return path + ".part";
 }
 
+Result<void> checkJsonWritable(const std::string& path) {
+  std::error_code status;
+  const bool taken = fs::exists(path, status) && !fs::is_regular_file(path, status);
+  const bool open = !taken && static_cast<bool>(std::ofstream(partialName(path)));
+  fs::remove(partialName(path), status);
+  if (!open) return fail(unwritable(path));
+  return {};
+}
+
 }  // namespace
 
 void complain(const std::string& sentence) {
@@ -36,13 +46,9 @@ Outcome complain(const Error& error) {
   return Outcome::NothingWritten;
 }
 
-Result<void> checkJsonWritable(const std::string& path) {
-  std::error_code status;
-  const bool taken = fs::exists(path, status) && !fs::is_regular_file(path, status);
-  const bool open = !taken && static_cast<bool>(std::ofstream(partialName(path)));
-  fs::remove(partialName(path), status);
-  if (!open) return fail(unwritable(path));
-  return {};
+Result<void> checkOutputs(const std::string& out, const std::string& report) {
+  if (const auto writable = occt::checkWritable(out); !writable) return fail(writable.error());
+  return report.empty() ? Result<void>{} : checkJsonWritable(report);
 }
 
 Result<void> writeJson(const nlohmann::json& json, const std::string& path) {

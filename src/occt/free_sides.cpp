@@ -11,7 +11,6 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 
 #include "occt/edge_curve.h"
 #include "occt/from_occt.h"
@@ -23,11 +22,15 @@ using boundary::BoundarySide;
 
 constexpr int kSamples = 16;  // along a side
 
-/// The side of the loop that runs nearest to the middle of an edge.
-const BoundarySide& nearestSide(const boundary::BoundaryLoop& loop, const TopoDS_Edge& edge) {
-  const Eigen::Vector3d middle = EdgeCurve(edge, Direction::Forward).point(0.5);
-  const BoundarySide* nearest = &loop.sides.front();
-  double least = std::numeric_limits<double>::infinity();
+/// The side that an edge of the new faces runs along; none where it is the free end of a strip: its
+/// middle is far from every side then, measured by its length.
+const BoundarySide* sideOf(const boundary::BoundaryLoop& loop, const TopoDS_Edge& edge) {
+  constexpr double kBeside = 0.1;
+  const EdgeCurve curve(edge, Direction::Forward);
+  const Eigen::Vector3d middle = curve.point(0.5);
+  const double length = (curve.point(0.0) - middle).norm() + (curve.point(1.0) - middle).norm();
+  const BoundarySide* nearest = nullptr;
+  double least = kBeside * length;
   for (const BoundarySide& side : loop.sides) {
     for (int i = 0; i <= kSamples; ++i) {
       const double distance = (side.ribbon.curve(double(i) / kSamples).point - middle).norm();
@@ -36,7 +39,7 @@ const BoundarySide& nearestSide(const boundary::BoundaryLoop& loop, const TopoDS
       nearest = &side;
     }
   }
-  return *nearest;
+  return nearest;
 }
 
 /// Largest distance of a side from a set of edges, mm.
@@ -69,8 +72,10 @@ std::map<int, double> freeSides(const std::vector<JoinPart>& parts,
       for (TopExp_Explorer it(now, TopAbs_EDGE); it.More(); it.Next()) {
         const TopTools_ListOfShape* faces = facesOfEdge.Seek(it.Current());
         if (faces != nullptr && faces->Extent() > 1) continue;
+        const BoundarySide* side = sideOf(part.loop, TopoDS::Edge(it.Current()));
+        if (side == nullptr) continue;
         builder.Add(open, it.Current());
-        sides.push_back(&nearestSide(part.loop, TopoDS::Edge(it.Current())));
+        sides.push_back(side);
       }
     }
     for (const BoundarySide* side : sides) {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/fill/fill_options.h"
+#include "core/span/fill_options.h"
 #include "occt/picks.h"
 #include "python/error_to_python.h"
 

@@ -68,6 +68,22 @@ const char* name(ErrorCode code) {
       return "TooManySides";
     case ErrorCode::InnerConstraintOff:
       return "InnerConstraintOff";
+    case ErrorCode::ChainBroken:
+      return "ChainBroken";
+    case ErrorCode::ChainBranches:
+      return "ChainBranches";
+    case ErrorCode::ChainTurns:
+      return "ChainTurns";
+    case ErrorCode::ChainsUnlike:
+      return "ChainsUnlike";
+    case ErrorCode::EdgeOnBothSides:
+      return "EdgeOnBothSides";
+    case ErrorCode::TooManyChains:
+      return "TooManyChains";
+    case ErrorCode::OneSideOnly:
+      return "OneSideOnly";
+    case ErrorCode::ReachNotPositive:
+      return "ReachNotPositive";
     case ErrorCode::LayoutUnfit:
       return "LayoutUnfit";
     case ErrorCode::EdgeNotInLoop:

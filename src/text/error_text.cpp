@@ -152,6 +152,46 @@ std::string numericSentence(const Error& e) {
   }
 }
 
+std::string blendSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::OneSideOnly:
+      return fmt::format(
+          "No edge is picked for the side \"{}\" of the blend: pick one on either side.", e.detail);
+    case ErrorCode::EdgeOnBothSides:
+      return fmt::format(
+          "Edge {} is picked for both sides of the blend: a blend joins two different edges.",
+          e.edge);
+    case ErrorCode::ChainBroken:
+      return fmt::format(
+          "Edge {} does not connect to the other edges of its side of the blend{}: pick the "
+          "edges between, or leave it out.",
+          e.edge,
+          at(e));
+    case ErrorCode::ChainBranches:
+      return fmt::format(
+          "More than two edges of one side of the blend meet{}: leave out edge {} or another of "
+          "them.",
+          at(e),
+          e.edge);
+    case ErrorCode::ChainTurns:
+      return fmt::format(
+          "One side of the blend turns by {} at the end of edge {}{}: blend the smooth "
+          "stretches before and after it one by one.",
+          angle(e.value),
+          e.edge,
+          at(e));
+    case ErrorCode::ChainsUnlike:
+      return fmt::format(
+          "One side of the blend is closed, the side of edge {} is open: pick two closed "
+          "sides or two open ones.",
+          e.edge);
+    case ErrorCode::TooManyChains:
+      return fmt::format("The edges make {} separate chains: a blend joins two.", count(e));
+    default:
+      return fmt::format("The reach must be above 0, not {}.", e.value);
+  }
+}
+
 std::string fileSentence(const Error& e) {
   switch (e.code) {
     case ErrorCode::FileUnreadable:
@@ -222,6 +262,15 @@ std::string sentence(const Error& error) {
     case ErrorCode::NotFinite:
     case ErrorCode::Cancelled:
       return numericSentence(error);
+    case ErrorCode::OneSideOnly:
+    case ErrorCode::EdgeOnBothSides:
+    case ErrorCode::ChainBroken:
+    case ErrorCode::ChainBranches:
+    case ErrorCode::ChainTurns:
+    case ErrorCode::ChainsUnlike:
+    case ErrorCode::TooManyChains:
+    case ErrorCode::ReachNotPositive:
+      return blendSentence(error);
     case ErrorCode::FileUnreadable:
     case ErrorCode::FileNotAShape:
     case ErrorCode::FileUnwritable:

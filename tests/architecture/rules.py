@@ -23,6 +23,8 @@ STAGES = {
                       "core/energy", "core/shape_energy", PROGRAM],
     "core/analysis": ["core/base", "core/spline", "core/boundary"],
     "core/height_field": ["core/base", "core/spline", "core/boundary", "core/constraint", "core/energy"],
+    "core/span": ["core/base", "core/spline", "core/boundary", "core/layout", "core/constraint", "core/energy",
+                  "core/shape_energy", "core/solver", "core/assembly", "core/analysis", "core/height_field/trim.h"],
     "core/fill": ["core/*"],
     "core/blend": ["core/*"],
     "core/edit": ["core/*"],

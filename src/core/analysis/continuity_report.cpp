@@ -94,6 +94,10 @@ void judge(FillReport& report) {
   }
 }
 
+bool twistsAgree(const boundary::Corner& corner, double angleLimit) {
+  return kTwistShare * kFinestSpan * corner.twistMismatch <= angleLimit;
+}
+
 FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
   FillReport report;
   report.diagonal = loop.diagonal;
@@ -111,6 +115,7 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
   }
   for (std::size_t k = 0; k < loop.corners.size(); ++k) {
     const boundary::Corner& corner = loop.corners[k];
+    if (corner.apart) continue;
     CornerReport entry;
     entry.point = corner.point;
     entry.edgeBefore = loop.sides[k].edge;
@@ -119,12 +124,13 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
     entry.normalMismatch = corner.normalMismatch;
     entry.twistMismatch = corner.twistMismatch;
     entry.normalsAgree = corner.normalsAgree(report.angleLimit);
-    entry.twistsAgree = kTwistShare * kFinestSpan * corner.twistMismatch <= report.angleLimit;
+    entry.twistsAgree = twistsAgree(corner, report.angleLimit);
     report.corners.push_back(entry);
   }
-  for (std::size_t k = 0; k < report.sides.size(); ++k) {
-    const std::size_t before = (k + loop.corners.size() - 1) % loop.corners.size();
-    const bool agree = report.corners[before].twistsAgree && report.corners[k].twistsAgree;
+  const std::size_t n = loop.sides.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool agree = twistsAgree(loop.corners[(k + n - 1) % n], report.angleLimit) &&
+                       twistsAgree(loop.corners[k], report.angleLimit);
     report.sides[k].cornerAngleLimit = (agree ? 1.0 : kTwistAllowance) * report.cornerAngleLimit;
   }
   return report;

@@ -42,6 +42,14 @@ enum class ErrorCode {
   LoopCrossesItself,      ///< edge, where
   TooManySides,           ///< value = number of sides
   InnerConstraintOff,     ///< value = distance in mm, where: farther from the loop than it is large
+  ChainBroken,            ///< edge: does not connect to the other edges of its side of a blend
+  ChainBranches,          ///< edge, where: more than two edges of one side of a blend meet
+  ChainTurns,             ///< edge, where, value = degrees: a corner within one side of a blend
+  ChainsUnlike,           ///< edge of the open side: the other side of the blend is closed
+  EdgeOnBothSides,        ///< edge: picked for both sides of a blend
+  TooManyChains,          ///< value = number of chains the edges of a blend make
+  OneSideOnly,            ///< detail = "from" or "to": no edge picked for this side of a blend
+  ReachNotPositive,       ///< value = the reach given
   LayoutUnfit,            ///< detail = "quad", "star", ...: the loop does not suit the asked layout
   // numerics
   SystemSingular,  ///< the linear system has no unique solution

@@ -74,7 +74,9 @@ double insideAngle(const BoundarySide& before, const BoundarySide& after, double
   return on.cross(back).dot(normal) < 0.0 ? 360.0 - angle : angle;
 }
 
-Corner classify(const BoundarySide& before, const BoundarySide& after) {
+}  // namespace
+
+Corner cornerBetween(const BoundarySide& before, const BoundarySide& after) {
   const CurveSample end = before.ribbon.curve(1.0), start = after.ribbon.curve(0.0);
   Corner corner;
   corner.point = 0.5 * (end.point + start.point);
@@ -91,9 +93,15 @@ Corner classify(const BoundarySide& before, const BoundarySide& after) {
   return corner;
 }
 
-}  // namespace
+std::optional<Error> checkMeeting(const BoundarySide& before,
+                                  const Corner& corner,
+                                  double diagonal) {
+  if (corner.gap <= kLargestCornerGap * diagonal) return std::nullopt;
+  return Error{
+      ErrorCode::LoopNotClosed, before.edge, 0, before.ribbon.curve(1.0).point, corner.gap};
+}
 
-Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides) {
+Result<BoundaryLoop> measureSides(std::vector<BoundarySide> sides) {
   if (sides.empty()) return fail({ErrorCode::NothingPicked});
   BoundaryLoop loop;
   loop.diagonal = measureDiagonal(sides);
@@ -107,17 +115,18 @@ Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides) {
     if (side.continuity != Continuity::G0 && !side.ribbon.hasSupport())
       return fail({ErrorCode::EdgeWithoutFace, side.edge, 0, start});
   }
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Corner corner = classify(sides[i], sides[(i + 1) % sides.size()]);
-    if (corner.gap > kLargestCornerGap * loop.diagonal)
-      return fail({ErrorCode::LoopNotClosed,
-                   sides[i].edge,
-                   0,
-                   sides[i].ribbon.curve(1.0).point,
-                   corner.gap});
-    loop.corners.push_back(corner);
-  }
   loop.sides = std::move(sides);
+  return loop;
+}
+
+Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides) {
+  auto loop = measureSides(std::move(sides));
+  for (std::size_t i = 0; loop && i < loop->sides.size(); ++i) {
+    const BoundarySide& before = loop->sides[i];
+    loop->corners.push_back(cornerBetween(before, loop->sides[(i + 1) % loop->sides.size()]));
+    if (const auto open = checkMeeting(before, loop->corners.back(), loop->diagonal))
+      return fail(*open);
+  }
   return loop;
 }
 

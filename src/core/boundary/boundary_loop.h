@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -37,6 +38,9 @@ struct BoundarySide {
 
 /// Where side i ends and side i+1 begins.
 struct Corner {
+  /// The two do not meet: the ends of a chain that a strip joins to another one (side_chain.h).
+  /// Then `angle` is that of the chain with itself where it is closed, 0 where it is open.
+  bool apart = false;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double angle = 0.0;  ///< between the two sides, degrees in (0, 180)
   /// The angle the hole has here, degrees in (0, 360): beyond 180 at a re-entrant corner. Without a
@@ -54,7 +58,8 @@ struct Corner {
 };
 
 /// A closed chain of sides, head to tail: the end of side i is the start of side i+1, the last
-/// one's end that of side 0. Seen against the support normals the hole lies to the left.
+/// one's end that of side 0; or two chains one after the other (side_chain.h). Seen against the
+/// support normals the hole lies to the left.
 struct BoundaryLoop {
   std::vector<BoundarySide> sides;
   std::vector<Corner> corners;  ///< corners[i] is at the end of sides[i]
@@ -64,5 +69,16 @@ struct BoundaryLoop {
 /// Completes a loop whose sides are given: corners classified, lengths and diagonal measured from
 /// the ribbons. Fails with LoopNotClosed, EdgeDegenerate, NotFinite or EdgeWithoutFace.
 [[nodiscard]] Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides);
+
+/// What makeLoop() does without a look at where sides meet: the corners are left out.
+[[nodiscard]] Result<BoundaryLoop> measureSides(std::vector<BoundarySide> sides);
+
+/// The corner where one side ends and the next one starts.
+[[nodiscard]] Corner cornerBetween(const BoundarySide& before, const BoundarySide& after);
+
+/// LoopNotClosed where two sides that should meet in a corner are too far apart for that.
+[[nodiscard]] std::optional<Error> checkMeeting(const BoundarySide& before,
+                                                const Corner& corner,
+                                                double diagonal);
 
 }  // namespace fairing::boundary

@@ -91,6 +91,23 @@ struct Curve {
   }
 };
 
+// Whether an edge that closes upon itself does so with its curvature: no knot is needed there.
+bool closesSmoothly(const Link& before, const Link& after) {
+  constexpr double kStep = 1e-4, kSame = 1e-3;
+  if (&before.edge != &after.edge) return false;
+  const auto& curve = before.edge.ribbon.curve;
+  const auto tangent = [&](double t) -> Eigen::Vector3d {
+    return curve(t).derivative.normalized();
+  };
+  const Eigen::Vector3d end =
+      3.0 * tangent(1.0) - 4.0 * tangent(1.0 - kStep) + tangent(1.0 - 2.0 * kStep);
+  const Eigen::Vector3d start = -3.0 * tangent(0.0) + 4.0 * tangent(kStep) - tangent(2.0 * kStep);
+  const double endSpeed = curve(1.0).derivative.norm(), startSpeed = curve(0.0).derivative.norm();
+  const Eigen::Vector3d jump = end / endSpeed - start / startSpeed;
+  return jump.norm() * endSpeed <= kSame * 2.0 * kStep &&
+         (tangent(1.0) - tangent(0.0)).norm() < kSame;
+}
+
 // The edges' breaks, and one at every joint.
 std::vector<CurveBreak> breaksOf(const std::vector<Link>& links, double length) {
   std::vector<CurveBreak> breaks;
@@ -98,7 +115,8 @@ std::vector<CurveBreak> breaksOf(const std::vector<Link>& links, double length) 
     for (const CurveBreak& b : link.edge.ribbon.breaks)
       if (link.stretch.from < b.t && b.t < link.stretch.to)
         breaks.push_back({link.stretch.start + link.arc.lengthUpTo(b.t) / length, b.continuity});
-    if (&link != &links.back()) breaks.push_back({link.stretch.end, 1});
+    if (&link != &links.back() && !closesSmoothly(link, *(&link + 1)))
+      breaks.push_back({link.stretch.end, 1});
   }
   return breaks;
 }

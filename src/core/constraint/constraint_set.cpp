@@ -12,7 +12,11 @@ namespace {
 
 using Edges = std::array<std::optional<ConstrainedEdge>, 4>;
 
-Edges constrainedEdges(const boundary::BoundaryLoop& loop, const layout::LayoutPatch& patch) {
+using Ends = ConstrainedEdge::Ends;
+
+Edges constrainedEdges(const boundary::BoundaryLoop& loop,
+                       const layout::LayoutPatch& patch,
+                       Ends ends) {
   Edges edges;
   for (std::size_t k = 0; k < 4; ++k) {
     if (!patch.edges[k]) continue;
@@ -21,7 +25,8 @@ Edges constrainedEdges(const boundary::BoundaryLoop& loop, const layout::LayoutP
                                &*patch.edges[k],
                                layout::edgeKnots(patch, which),
                                layout::edgePoints(patch, which, 0),
-                               layout::edgePoints(patch, which, 1)};
+                               layout::edgePoints(patch, which, 1),
+                               ends};
   }
   return edges;
 }
@@ -66,15 +71,18 @@ Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
   ConstraintSet set;
   set.fixed.assign(static_cast<std::size_t>(layout.pointCount), 0);
   set.values.setZero(layout.pointCount, 3);
+  const bool isStrip = layout.kind == LayoutKind::Strip;
+  const Ends ends = !isStrip ? Ends::Held : layout.closed ? Ends::Closed : Ends::Free;
   std::vector<Edges> patches;
   for (const layout::LayoutPatch& patch : layout.patches)
-    patches.push_back(constrainedEdges(loop, patch));
+    patches.push_back(constrainedEdges(loop, patch, ends));
   for (const Edges& edges : patches)
     for (const auto& edge : edges)
       if (edge) fixOuterRow(*edge, set);
   const std::vector<Meeting> all = meetings(loop, patches);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Meeting& m = all[k];
+    if (loop.corners[k].apart) continue;
     auto block = m.samePatch ? cornerTwist(*m.before, *m.after)
                              : splitTangency(*m.before, *m.after, loop.corners[k]);
     if (block) set.blocks.push_back(std::move(*block));
@@ -88,7 +96,7 @@ Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
     }
   if (about)
     if (auto rows = curvatureRows(layout, patches, *about)) set.blocks.push_back(std::move(*rows));
-  set.ties = tieSeams(layout);
+  set.ties = layout.closed ? tieClosing(layout.patches.front()) : tieSeams(layout);
   return set;
 }
 

@@ -136,6 +136,10 @@ std::optional<solver::ConstraintBlock> curvatureRows(
       if (!curved[k]) continue;
       const auto &next = curved[(k + 1) % 4], &previous = curved[(k + 3) % 4];
       const int n = curved[k]->edge->knots.poleCount();
+      if (curved[k]->edge->ends == ConstrainedEdge::Ends::Closed) {
+        for (const int i : collocationPoles(*curved[k]->edge)) collector.add(*curved[k], i);
+        continue;
+      }
       const bool startsAtSeam = !patches[p][(k + 3) % 4], endsAtSeam = !patches[p][(k + 1) % 4];
       if (endsAtSeam) {
         collector.add(*curved[k], n - 1);

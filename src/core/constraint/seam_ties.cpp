@@ -128,4 +128,28 @@ std::vector<solver::TieBlock> tieSeams(const layout::PatchLayout& layout) {
   return blocks;
 }
 
+std::vector<solver::TieBlock> tieClosing(const layout::LayoutPatch& patch) {
+  const int n = patch.u.poleCount(), rows = patch.v.poleCount();
+  const spline::BasisRow start = spline::basisRow(patch.u, patch.u.first(), 2);
+  const spline::BasisRow end = spline::basisRow(patch.u, patch.u.last(), 2);
+  std::vector<solver::TieBlock> blocks;
+  for (int j = 1; j + 1 < rows; ++j) {
+    const auto point = [&](int i) { return patch.points[static_cast<std::size_t>(i * rows + j)]; };
+    solver::TieBlock block;
+    for (int order = 0; order <= 2; ++order) {
+      solver::TieRow row;
+      for (int k = 0; k <= patch.u.degree(); ++k) {
+        row.points.push_back(point(start.first + k));
+        row.weights.push_back(start.values(order, k));
+        row.points.push_back(point(end.first + k));
+        row.weights.push_back(-end.values(order, k));
+      }
+      addRow(block, row);
+    }
+    block.solvedFor = {point(n - 1), point(n - 2), point(n - 3)};
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
 }  // namespace fairing::constraint

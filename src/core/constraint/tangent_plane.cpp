@@ -155,12 +155,23 @@ std::optional<solver::ConstraintBlock> splitTangency(const ConstrainedEdge& befo
   return block;
 }
 
+std::vector<int> collocationPoles(const ConstrainedEdge& edge) {
+  using Ends = ConstrainedEdge::Ends;
+  const int n = edge.knots.poleCount();
+  std::vector<int> poles;
+  for (int i = 0; i < n; ++i) {
+    const bool isInner = i >= 2 && i < n - 2;
+    if (isInner || edge.ends == Ends::Free || (edge.ends == Ends::Closed && i == 0))
+      poles.push_back(i);
+  }
+  return poles;
+}
+
 Result<solver::ConstraintBlock> tangentRows(const ConstrainedEdge& edge) {
   solver::ConstraintBlock block;
-  const int n = edge.knots.poleCount();
   const auto pole = [&](int i) { return edge.use->curve.poles.row(i); };
   int asked = 0;
-  for (int i = 2; i < n - 2; ++i) {
+  for (const int i : collocationPoles(edge)) {
     const double s = edge.knots.greville(i);
     if (!edge.isTangentAt(edge.sideParameter(s))) continue;
     ++asked;

@@ -10,10 +10,14 @@ namespace fairing::constraint {
 /// A patch edge that follows a side, with what is known of it: everything along the border's
 /// direction.
 struct ConstrainedEdge {
+  /// What its ends are: corners or seam ends, which have blocks of their own; nothing at all; or
+  /// one and the same place.
+  enum class Ends { Held, Free, Closed };
   const boundary::BoundarySide* side = nullptr;
   const layout::SideUse* use = nullptr;
   spline::KnotVector knots;
   std::vector<int> outer, inner;  ///< point numbers of the row on the edge and of the next one
+  Ends ends = Ends::Held;
 
   [[nodiscard]] bool isTangent() const {
     return side->continuity != Continuity::G0 && side->ribbon.hasSupport();
@@ -45,9 +49,12 @@ struct ConstrainedEdge {
                                                                    const ConstrainedEdge& after,
                                                                    const boundary::Corner& corner);
 
-/// R_v . n = 0 along an edge, collocated at the Greville abscissae of the inner row's poles but for
-/// the two at either end: with the ends and twists known, R_v . n has a double zero at both ends
-/// already.
+/// The places at which an edge is collocated: the Greville abscissae of its poles, by number. Left
+/// out are the two next to a held end, where R_v . n has a double zero already, and of a closed
+/// edge as many as it has ties.
+[[nodiscard]] std::vector<int> collocationPoles(const ConstrainedEdge& edge);
+
+/// R_v . n = 0 along an edge, collocated.
 /// Where the support has no normal nothing is asked. Fails with SupportNormalSingular where it has
 /// none all along.
 [[nodiscard]] Result<solver::ConstraintBlock> tangentRows(const ConstrainedEdge& edge);

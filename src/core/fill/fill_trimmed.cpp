@@ -6,13 +6,13 @@
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
 #include "core/fill/measure_trimmed.h"
-#include "core/fill/refine.h"
 #include "core/height_field/height_energy.h"
 #include "core/height_field/height_guidance.h"
 #include "core/height_field/height_knots.h"
 #include "core/height_field/height_surface.h"
 #include "core/height_field/loop_rows.h"
 #include "core/height_field/trim.h"
+#include "core/span/refine.h"
 
 // The pipeline:
 //

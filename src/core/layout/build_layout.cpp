@@ -54,8 +54,9 @@ SideCurve curveAlong(const boundary::BoundarySide& side, PatchEdge edge, const K
 void joinEnds(const boundary::BoundaryLoop& loop, SideUse& use) {
   const auto k = static_cast<std::size_t>(use.side);
   const std::size_t n = loop.sides.size();
-  use.curve.poles.topRows<1>() = loop.corners[(k + n - 1) % n].point.transpose();
-  use.curve.poles.bottomRows<1>() = loop.corners[k].point.transpose();
+  const boundary::Corner &start = loop.corners[(k + n - 1) % n], &end = loop.corners[k];
+  if (!start.apart) use.curve.poles.topRows<1>() = start.point.transpose();
+  if (!end.apart) use.curve.poles.bottomRows<1>() = end.point.transpose();
 }
 
 // Numbers the control points, those on seams and at vertices once.
@@ -102,6 +103,7 @@ KnotVector patchKnots(const PatchLayout& layout, std::size_t quad, std::size_t d
 PatchLayout buildLayout(const LayoutPlan& plan, std::vector<KnotVector> stripKnots) {
   PatchLayout layout;
   layout.kind = plan.kind;
+  layout.closed = plan.closed;
   layout.strips = stripsOf(plan.mesh);
   layout.stripKnots = std::move(stripKnots);
   const std::vector<double> widths = stripWidths(plan, layout.strips);

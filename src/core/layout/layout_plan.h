@@ -12,6 +12,7 @@ struct LayoutPlan {
   LayoutKind kind = LayoutKind::Quad;
   boundary::CutLoop cut;
   QuadMesh mesh;
+  bool closed = false;  ///< a strip whose East and West edges are one (both chains are closed)
 };
 
 }  // namespace fairing::layout

@@ -17,6 +17,8 @@ namespace {
 using spline::KnotVector;
 
 constexpr double kMostCoarseSpans = 6.0;
+// Round a closed strip: a circle of eight quintic spans is round to 1e-6.
+constexpr double kLeastSpansRound = 8.0, kMostSpansRound = 16.0;
 // Fewer control points along a strip than this are not asked for, however many the patches have.
 constexpr int kLeastAlong = 8;
 // Knots of one strip closer than this are one.
@@ -84,9 +86,11 @@ Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kin
     case LayoutKind::OGrid:
       return oGridPlan(loop, roles);
     case LayoutKind::Trimmed:
+      return fail({.code = ErrorCode::LayoutUnfit, .detail = "trimmed"});
+    case LayoutKind::Strip:
       break;
   }
-  return fail({.code = ErrorCode::LayoutUnfit, .detail = "trimmed"});
+  return fail({.code = ErrorCode::LayoutUnfit, .detail = "strip"});
 }
 
 PatchLayout makeLayout(const LayoutPlan& plan, const LayoutOptions& options) {
@@ -114,7 +118,10 @@ PatchLayout coarseLayout(const LayoutPlan& plan,
     for (std::size_t d = 0; d < 2; ++d) {
       const KnotVector& own = d == 0 ? layout.patches[q].u : layout.patches[q].v;
       const double wish = std::ceil(options.density * (own.last() - own.first()) - 0.25);
-      const int spans = static_cast<int>(std::clamp(wish, 1.0, kMostCoarseSpans));
+      const bool isRound = plan.closed && d == 0;
+      const int spans =
+          static_cast<int>(isRound ? std::clamp(wish, kLeastSpansRound, kMostSpansRound)
+                                   : std::clamp(wish, 1.0, kMostCoarseSpans));
       std::vector<double> breaks;
       for (int k = 0; k <= spans; ++k) breaks.push_back(static_cast<double>(k) / spans);
       knots[static_cast<std::size_t>(layout.strips.uses[q][d].strip)] =

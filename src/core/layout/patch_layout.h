@@ -57,6 +57,8 @@ struct PatchLayout {
   LayoutKind kind = LayoutKind::Quad;
   std::vector<LayoutPatch> patches;
   std::vector<Seam> seams;
+  /// The only patch closes upon itself, its curvature included: its West edge is its East edge.
+  bool closed = false;
   Strips strips;
   std::vector<spline::KnotVector> stripKnots;  ///< over [0, 1]
   int pointCount = 0;                          ///< unknown control points, shared ones counted once

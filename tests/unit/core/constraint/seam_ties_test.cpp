@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 
-#include "core/fill/span_hole.h"
 #include "core/layout/layouts.h"
 #include "core/solver/tie_points.h"
+#include "core/span/span_hole.h"
 #include "support/many_sided_loops.h"
 #include "support/random_splines.h"
 

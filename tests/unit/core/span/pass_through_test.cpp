@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/fill/pass_through.h"
+#include "core/span/pass_through.h"
 
 #include <gmock/gmock.h>
 

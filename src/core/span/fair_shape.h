@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/base/progress.h"
-#include "core/fill/span_hole.h"
+#include "core/span/span_hole.h"
 
 namespace fairing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/fill/refine.h"
+#include "core/span/refine.h"
 
 #include <algorithm>
 #include <cmath>

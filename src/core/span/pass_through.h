@@ -4,8 +4,8 @@
 
 #include "core/analysis/continuity_report.h"
 #include "core/constraint/inner_constraint.h"
-#include "core/fill/span_hole.h"
 #include "core/layout/layouts.h"
+#include "core/span/span_hole.h"
 
 namespace fairing {
 

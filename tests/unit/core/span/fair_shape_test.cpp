@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/fill/fair_shape.h"
+#include "core/span/fair_shape.h"
 
 #include <gmock/gmock.h>
 

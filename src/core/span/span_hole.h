@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/fill/fill_options.h"
 #include "core/layout/layout_plan.h"
 #include "core/layout/patch_layout.h"
 #include "core/solver/quadratic_program.h"
 #include "core/solver/solve.h"
+#include "core/span/fill_options.h"
 #include "core/spline/bspline_surface.h"
 
 namespace fairing {

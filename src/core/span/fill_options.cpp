@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/fill/fill_options.h"
+#include "core/span/fill_options.h"
 
 #include <cmath>
 

@@ -5,8 +5,8 @@
 
 #include "core/analysis/measure_fill.h"
 #include "core/analysis/measure_seams.h"
-#include "core/fill/fill_hole.h"
 #include "core/layout/layouts.h"
+#include "core/span/fill_result.h"
 
 namespace fairing {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/fill/span_hole.h"
+#include "core/span/span_hole.h"
 
 #include <algorithm>
 
 #include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_guidance.h"
 #include "core/constraint/constraint_set.h"
-#include "core/fill/pass_through.h"
+#include "core/span/pass_through.h"
 
 namespace fairing {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/fill/pass_through.h"
+#include "core/span/pass_through.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/analysis/nearest_patch.h"
-#include "core/fill/refine.h"
+#include "core/span/refine.h"
 #include "core/spline/bspline_basis.h"
 
 namespace fairing {

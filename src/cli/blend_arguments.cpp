@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "cli/arguments.h"
+#include "cli/options.h"
+#include "cli/parse.h"
+#include "text/words.h"
+
+namespace fairing::cli {
+
+void BlendArguments::addTo(CLI::App& command) {
+  command.add_option("SHAPE", shape, "the shape with the edges, .brep or .step")->required();
+  command.add_option("-o,--out", out, "where the result goes, .brep or .step")->required();
+  addList(
+      command, "--from", from, "edges of one side, FreeCAD's numbers; one of a chain is enough");
+  addList(command, "--to", to, "edges of the other side");
+  addList(command, "--edges", edges, "in place of --from and --to: edges that make two chains");
+  command.add_option(
+      "--continuity", continuity, "G0, G1 or G2 to every face beside the blend (default G1)");
+  addList(command, "--edge-continuity", edgeContinuity, "of single edges, such as 7=G0,9=G2");
+  command.add_option("--energy",
+                     energy,
+                     "thin-plate, membrane or mean-curvature-gradient (default " + energy + ")");
+  command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the blend's diagonal)");
+  command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
+  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
+  command.add_option("--max-poles",
+                     maxPoles,
+                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
+  command.add_option("--result", result, "patches, shell or base (default patches)");
+  command.add_option("--report", report, "JSON file for the numbers");
+}
+
+Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) const {
+  occt::BlendPicks picks;
+  const auto wishes = continuityWishes(edgeContinuity);
+  if (!wishes) return fail(wishes.error());
+  picks.edgeContinuity = *wishes;
+  const auto common = text::continuityFrom(continuity);
+  if (!common) return fail(unknown("--continuity", continuity));
+  picks.continuity = *common;
+  const auto first = parseNumbers(from, "--from", "Edge");
+  if (!first) return fail(first.error());
+  const auto second = parseNumbers(to, "--to", "Edge");
+  if (!second) return fail(second.error());
+  const auto all = parseNumbers(edges, "--edges", "Edge");
+  if (!all) return fail(all.error());
+  picks.from = *first;
+  picks.to = *second;
+  if (all->empty()) return picks;
+  if (!first->empty() || !second->empty())
+    return fail(unknown("--edges", "it stands in place of --from and --to"));
+  auto groups = occt::groupEdges(index, *all);
+  if (!groups) return fail(groups.error());
+  if (groups->size() != 2)
+    return fail({.code = ErrorCode::TooManyChains, .value = double(groups->size())});
+  picks.from = groups->front();
+  picks.to = groups->back();
+  return picks;
+}
+
+Result<BlendOptions> BlendArguments::options() const {
+  BlendOptions chosen;
+  const auto energyKind = text::energyFrom(energy);
+  if (!energyKind) return fail(unknown("--energy", energy));
+  const auto tolerance = toleranceFrom(gap, angle);
+  if (!tolerance) return fail(tolerance.error());
+  chosen.fill.energy = *energyKind;
+  chosen.fill.tolerance = *tolerance;
+  chosen.fill.degree = degree;
+  chosen.fill.maxPoles = maxPoles;
+  if (const auto error = validate(chosen.fill)) return fail(*error);
+  return chosen;
+}
+
+Result<occt::ResultMode> BlendArguments::mode() const {
+  return modeFrom(result);
+}
+
+}  // namespace fairing::cli

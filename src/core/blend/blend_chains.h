@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/boundary/side_chain.h"
+#include "core/span/fill_options.h"
+#include "core/span/fill_result.h"
+
+namespace fairing {
+
+/// Everything a caller may choose about a blend.
+struct BlendOptions {
+  FillOptions fill;  ///< the layout is a strip, whatever it says
+};
+
+/// Joins two chains of sides by one strip that leaves each of them as its sides ask and minimises
+/// the chosen energy; ends of open chains are left free, closed chains give a strip that closes
+/// upon itself with its curvature. Refined, measured and returned as fillHole() does. Fails with
+/// the codes of validate(), SystemSingular, NotFinite or Cancelled. docs/algorithms/strip_blend.md
+[[nodiscard]] Result<FillResult> blendChains(const boundary::ChainPair& pair,
+                                             const BlendOptions& options,
+                                             Progress* progress = nullptr);
+
+}  // namespace fairing

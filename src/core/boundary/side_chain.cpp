@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/boundary/side_chain.h"
+
+#include <algorithm>
+
+#include "core/boundary/strip_match.h"
+
+namespace fairing::boundary {
+namespace {
+
+// Neighbours that meet at a smaller angle (degrees; 180 = straight on) make a corner.
+constexpr double kStraightOn = 175.0;
+
+Ribbon reversed(const Ribbon& ribbon) {
+  Ribbon result;
+  result.curve = [curve = ribbon.curve](double t) {
+    const CurveSample sample = curve(1.0 - t);
+    return CurveSample{sample.point, -sample.derivative};
+  };
+  if (ribbon.polynomial) result.polynomial = spline::reversed(*ribbon.polynomial);
+  for (auto b = ribbon.breaks.rbegin(); b != ribbon.breaks.rend(); ++b)
+    result.breaks.push_back({1.0 - b->t, b->continuity});
+  if (ribbon.hasSupport())
+    result.support = [support = ribbon.support](double t) {
+      SupportSample sample = support(1.0 - t);
+      sample.normal = -sample.normal;
+      sample.secondForm = -sample.secondForm;
+      return sample;
+    };
+  return result;
+}
+
+std::optional<Error> addCorners(const SideChain& chain, BoundaryLoop& loop) {
+  const std::size_t n = chain.sides.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool isEnd = k + 1 == n;
+    Corner corner;
+    if (!isEnd || chain.closed) {
+      corner = cornerBetween(chain.sides[k], chain.sides[(k + 1) % n]);
+      if (const auto open = checkMeeting(chain.sides[k], corner, loop.diagonal)) return open;
+      if (corner.angle < kStraightOn)
+        return Error{
+            ErrorCode::ChainTurns, chain.sides[k].edge, 0, corner.point, 180.0 - corner.angle};
+    }
+    if (isEnd) {
+      corner.apart = true;
+      corner.gap = corner.normalMismatch = corner.twistMismatch = 0.0;
+    }
+    loop.corners.push_back(corner);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SideChain reversed(const SideChain& chain) {
+  SideChain result = chain;
+  std::reverse(result.sides.begin(), result.sides.end());
+  for (BoundarySide& side : result.sides) {
+    side.ribbon = reversed(side.ribbon);
+    std::reverse(side.stretches.begin(), side.stretches.end());
+    for (std::size_t k = 0; k < side.stretches.size(); ++k)
+      side.stretches[k].t = k + 1 < side.stretches.size() ? 1.0 - side.stretches[k + 1].t : 1.0;
+  }
+  return result;
+}
+
+Result<ChainPair> pairChains(const SideChain& first, const SideChain& second) {
+  if (first.closed != second.closed) {
+    const SideChain& open = first.closed ? second : first;
+    return fail({.code = ErrorCode::ChainsUnlike, .edge = open.sides.front().edge});
+  }
+  ChainPair pair;
+  pair.closed = first.closed;
+  pair.firstCount = first.sides.size();
+  pair.turned = runsAlong(first, second);
+  const SideChain other = pair.turned ? reversed(second) : second;
+  std::vector<BoundarySide> sides = first.sides;
+  sides.insert(sides.end(), other.sides.begin(), other.sides.end());
+  auto loop = measureSides(std::move(sides));
+  if (!loop) return fail(loop.error());
+  for (const SideChain* chain : {&first, &other})
+    if (const auto wrong = addCorners(*chain, *loop)) return fail(*wrong);
+  pair.sides = std::move(*loop);
+  return pair;
+}
+
+}  // namespace fairing::boundary

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/boundary/boundary_loop.h"
+
+namespace fairing::boundary {
+
+/// Sides one after the other: the end of side i is the start of side i + 1, and of a closed chain
+/// the last one's end is the start of side 0. Seen against the support normals what is to be
+/// spanned lies to the left.
+struct SideChain {
+  std::vector<BoundarySide> sides;
+  bool closed = false;
+};
+
+/// The chain run through the other way, with the support normals turned, so that what is to be
+/// spanned stays to the left.
+[[nodiscard]] SideChain reversed(const SideChain& chain);
+
+/// Two chains that a strip is to join.
+struct ChainPair {
+  /// The sides of the first chain, then those of the second one, which runs against it. Corners
+  /// between the sides of one chain; at the ends of the chains they are `apart`.
+  BoundaryLoop sides;
+  std::size_t firstCount = 0;  ///< number of sides of the first chain
+  bool closed = false;         ///< both chains are
+  bool turned = false;         ///< the second chain was given the other way round
+};
+
+/// Two chains as a strip needs them: the second one is turned round where it would make the strip
+/// cross itself. Fails with ChainsUnlike (one is open, one closed), ChainTurns (a corner within a
+/// chain), and the codes of measureSides() and checkMeeting().
+[[nodiscard]] Result<ChainPair> pairChains(const SideChain& first, const SideChain& second);
+
+}  // namespace fairing::boundary

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "core/analysis/continuity_report.h"
+#include "core/height_field/trim.h"
+#include "core/layout/layout_kind.h"
+#include "core/solver/solve_summary.h"
+#include "core/spline/bspline_surface.h"
+
+namespace fairing {
+
+/// A filled hole: patches, what was measured on them, and how they came about.
+struct FillResult {
+  std::vector<spline::BsplineSurface> patches;
+  std::vector<bool> reversed;  ///< patch i's normal u x v points against the support normals
+  std::vector<Trim> trims;     ///< the border of patch i; empty: no patch is trimmed
+  LayoutKind layout = LayoutKind::Quad;
+  analysis::FillReport report;
+  solver::SolveSummary summary;
+};
+
+}  // namespace fairing

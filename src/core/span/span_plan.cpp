@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/span/span_plan.h"
+
+#include <algorithm>
+
+#include "core/analysis/curvature.h"
+#include "core/analysis/measure_fill.h"
+#include "core/analysis/measure_seams.h"
+#include "core/base/stopwatch.h"
+#include "core/boundary/follow_support.h"
+#include "core/layout/layouts.h"
+#include "core/span/fair_shape.h"
+#include "core/span/pass_through.h"
+#include "core/span/refine.h"
+#include "core/span/span_hole.h"
+
+namespace fairing {
+namespace {
+
+// Edges that are not polynomial are fitted this much closer than the gap allowed.
+constexpr double kFitShare = 0.3;
+// Refinement goes on until the deviations are below this share of the limits: they are sampled, the
+// peaks lie between.
+constexpr double kAim = 0.6;
+// Solves about the last one's solution that make the rows of G2 sides and inner constraints exact.
+constexpr int kNewtonSteps = 3;
+// What an edge that lies off its face may keep of its own angle: the rest of the limit is the
+// solver's.
+constexpr double kFollowAim = 0.65;
+
+FillResult measured(const Span& span,
+                    const layout::PatchLayout& layout,
+                    const solver::Solution& solution,
+                    const FillOptions& options) {
+  FillResult result;
+  result.layout = layout.kind;
+  result.patches = makePatches(layout, solution.points);
+  result.report = analysis::measureFill(
+      span.loop, span.probe, result.patches, sideTraces(span.plan, layout), options.tolerance);
+  analysis::addSeams(result.report, result.patches, seamTraces(layout));
+  addInner(result.report, result.patches, options.through);
+  for (std::size_t k = 0; k < span.target.sides.size(); ++k)
+    result.report.sides[k].followedBy = span.target.sides[k].followedBy;
+  result.reversed.assign(result.patches.size(), result.report.reversed);
+  result.summary.poles = layout.pointCount;
+  result.summary.unknowns = solution.unknowns;
+  result.summary.constraints = solution.constraints;
+  result.summary.constraintResidual = solution.residual;
+  return result;
+}
+
+// One pass on a given layout.
+Result<FillResult> fillOn(const Span& span,
+                          const layout::PatchLayout& layout,
+                          const std::optional<FairShape>& shape,
+                          const FillOptions& options) {
+  Stopwatch watch;
+  Aim aim;
+  if (shape) aim.shape = pointsOn(layout, shape->patches);
+  auto program = makeProgram(span.plan, layout, options.energy, aim);
+  if (!program) return fail(program.error());
+  auto solution = solveGuided(*program, layout, options.guidance);
+  const int newtonSteps = isIterated(span.plan.cut.loop, options) ? kNewtonSteps : 0;
+  for (int k = 0; solution && k < newtonSteps; ++k) {
+    aim.about = solution->points;
+    program = makeProgram(span.plan, layout, options.energy, aim, options.through);
+    if (!program) return fail(program.error());
+    solution = solveGuided(*program, layout, options.guidance);
+  }
+  if (!solution) return fail(solution.error());
+  const double solveTime = watch.lap();
+  FillResult result = measured(span, layout, *solution, options);
+  result.summary.solveTime = solveTime;
+  result.summary.measureTime = watch.lap();
+  result.summary.energy = solver::energy(*program, solution->points);
+  return result;
+}
+
+}  // namespace
+
+boundary::BoundaryLoop followedLoop(const boundary::BoundaryLoop& loop,
+                                    const Tolerance& tolerance) {
+  return boundary::followSupports(loop,
+                                  kFollowAim * tolerance.angle,
+                                  kFollowAim * std::max(tolerance.angle, tolerance.cornerAngle));
+}
+
+Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progress* progress) {
+  Stopwatch watch;
+  const double diagonal = span.loop.diagonal;
+  const double fitTolerance = kFitShare * options.tolerance.gapFor(diagonal);
+  auto layout = layout::makeLayout(span.plan, {options.degree, fitTolerance, options.maxPoles});
+  const double layoutTime = watch.lap();
+  const auto shape = fairShape(span.plan, layout, options, diagonal, progress);
+  if (!shape) return fail(shape.error());
+  if (*shape) layout = layout::withKnotsOf(span.plan, layout, (*shape)->layout);
+
+  std::optional<FillResult> best;
+  for (int round = 0; round <= options.maxRefinements; ++round) {
+    if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
+    if (best && layout.pointCount > options.maxPoles) break;
+    auto tried = fillOn(span, layout, *shape, options);
+    if (!tried) return tried;
+    tried->summary.solves = round + 1;
+    auto wishes = wishedKnots(span.plan, layout, tried->report, kAim);
+    wishForInner(layout, tried->patches, options.through, kAim * tried->report.gapLimit, wishes);
+    best = best ? better(std::move(*best), std::move(*tried)) : std::move(*tried);
+    if (progress) progress->setFraction((round + 1.0) / (options.maxRefinements + 1.0));
+    if (nothingWished(wishes)) break;
+    layout = layout::refineLayout(span.plan, layout, wishes);
+  }
+  best->report.fairness = analysis::measureFairness(best->patches);
+  best->summary.layoutTime = layoutTime;
+  best->summary.totalTime = watch.total();
+  return std::move(*best);
+}
+
+}  // namespace fairing

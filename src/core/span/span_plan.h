@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "core/analysis/loop_probe.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/boundary/boundary_loop.h"
+#include "core/layout/layout_plan.h"
+#include "core/span/fill_options.h"
+#include "core/span/fill_result.h"
+
+namespace fairing {
+
+/// What is to be spanned: the sides as they are, which the result is measured against, and the way
+/// they are to be spanned.
+struct Span {
+  const boundary::BoundaryLoop& loop;
+  boundary::BoundaryLoop target;  ///< followedLoop() of it
+  analysis::LoopProbe probe;      ///< of loop and target
+  layout::LayoutPlan plan;        ///< made for target
+};
+
+/// The loop that patches are made for: edges that lie off their faces moved towards them as far as
+/// the angles allowed ask (boundary/follow_support.h).
+[[nodiscard]] boundary::BoundaryLoop followedLoop(const boundary::BoundaryLoop& loop,
+                                                  const Tolerance& tolerance);
+
+/// The patches of a plan, refined until they are within tolerance or the limits of the options are
+/// reached. Fails with SystemSingular, NotFinite, SupportNormalSingular or Cancelled.
+[[nodiscard]] Result<FillResult> spanPlan(const Span& span,
+                                          const FillOptions& options,
+                                          Progress* progress);
+
+}  // namespace fairing

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "occt/read_chains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "occt/border_graph.h"
+#include "occt/guarded.h"
+#include "occt/read_side.h"
+
+namespace fairing::occt {
+namespace {
+
+using boundary::SideChain;
+
+constexpr double kSmooth = 1.0;  // degrees between edges that continue each other
+
+Direction opposite(Direction d) {
+  return d == Direction::Forward ? Direction::Backward : Direction::Forward;
+}
+
+/// One side of a blend while it is put together, edge by edge.
+class ChainBuilder {
+ public:
+  ChainBuilder(const ShapeIndex& index, const BorderGraph& graph, const std::set<int>& picked)
+      : index_(index), graph_(graph), left_(picked) {}
+
+  /// All picked edges head to tail; fails with ChainBranches or ChainBroken.
+  [[nodiscard]] std::optional<Error> connect() {
+    for (const int position : left_)
+      for (const int node : border(position).nodes)
+        if (const int meeting = countAt(node); meeting > 2)
+          return Error{.code = ErrorCode::ChainBranches,
+                       .edge = border(position).edge,
+                       .where = graph_.point(node)};
+    const int first = *left_.begin();
+    take({first, Direction::Forward}, true);
+    while (const auto next = pickedAfter(chain_.back(), true)) take(*next, true);
+    while (const auto next = pickedAfter(chain_.front(), false)) take(*next, false);
+    if (left_.empty()) return std::nullopt;
+    const BorderEdge& lost = border(*left_.begin());
+    return Error{
+        .code = ErrorCode::ChainBroken, .edge = lost.edge, .where = graph_.point(lost.nodes[0])};
+  }
+  /// Goes on along edges that continue the chain smoothly, but for those in `others`.
+  void extend(const std::set<int>& others) {
+    while (const auto next = smoothAfter(chain_.back(), true, others)) take(*next, true);
+    while (const auto next = smoothAfter(chain_.front(), false, others)) take(*next, false);
+  }
+  [[nodiscard]] bool isClosed() const { return startOf(chain_.front()) == endOf(chain_.back()); }
+  [[nodiscard]] SideChain finish(const Picks& picks) {
+    if (headsBackwards()) {
+      std::reverse(chain_.begin(), chain_.end());
+      for (LoopEdge& e : chain_) e.direction = opposite(e.direction);
+    }
+    SideChain result;
+    result.closed = isClosed();
+    for (const LoopEdge& e : chain_)
+      result.sides.push_back(readSide(index_, picks, border(e.border), e.direction));
+    return result;
+  }
+  [[nodiscard]] std::set<int> positions() const {
+    std::set<int> all;
+    for (const LoopEdge& e : chain_) all.insert(e.border);
+    return all;
+  }
+
+ private:
+  [[nodiscard]] const BorderEdge& border(int position) const {
+    return graph_.edges()[std::size_t(position)];
+  }
+  [[nodiscard]] int startOf(const LoopEdge& e) const { return border(e.border).from(e.direction); }
+  [[nodiscard]] int endOf(const LoopEdge& e) const { return border(e.border).to(e.direction); }
+  [[nodiscard]] int countAt(int node) const {
+    const auto& all = graph_.at(node);
+    return int(std::count_if(all.begin(), all.end(), [&](int p) { return left_.contains(p); }));
+  }
+  void take(const LoopEdge& e, bool atEnd) {
+    left_.erase(e.border);
+    chain_.insert(atEnd ? chain_.end() : chain_.begin(), e);
+  }
+  /// The edge run through so that it goes on from `node` (atEnd), or arrives there.
+  [[nodiscard]] LoopEdge directed(int position, int node, bool atEnd) const {
+    const int leaves = atEnd ? border(position).nodes[0] : border(position).nodes[1];
+    return {position, leaves == node ? Direction::Forward : Direction::Backward};
+  }
+  [[nodiscard]] std::optional<LoopEdge> pickedAfter(const LoopEdge& last, bool atEnd) const {
+    const int node = atEnd ? endOf(last) : startOf(last);
+    for (const int position : graph_.at(node))
+      if (left_.contains(position)) return directed(position, node, atEnd);
+    return std::nullopt;
+  }
+  [[nodiscard]] Eigen::Vector3d tangent(const LoopEdge& e, double t) const {
+    return EdgeCurve(index_.edge(border(e.border).edge), e.direction).at(t).derivative.normalized();
+  }
+  [[nodiscard]] std::optional<LoopEdge> smoothAfter(const LoopEdge& last,
+                                                    bool atEnd,
+                                                    const std::set<int>& others) const {
+    const int node = atEnd ? endOf(last) : startOf(last);
+    const std::set<int> own = positions();
+    std::optional<LoopEdge> found;
+    for (const int position : graph_.at(node)) {
+      if (own.contains(position) || others.contains(position)) continue;
+      const LoopEdge next = directed(position, node, atEnd);
+      const double cosine = tangent(last, atEnd ? 1.0 : 0.0).dot(tangent(next, atEnd ? 0.0 : 1.0));
+      if (!(cosine > std::cos(kSmooth * std::numbers::pi / 180.0))) continue;
+      if (found) return std::nullopt;
+      found = next;
+    }
+    return found;
+  }
+  /// Whether most of the length has what is to be spanned to the right.
+  [[nodiscard]] bool headsBackwards() const {
+    double balance = 0.0;
+    for (const LoopEdge& e : chain_)
+      if (const auto& heading = border(e.border).heading)
+        balance += (*heading == e.direction ? 1.0 : -1.0) * border(e.border).length;
+    return balance < 0.0;
+  }
+
+  const ShapeIndex& index_;
+  const BorderGraph& graph_;
+  std::set<int> left_;
+  std::vector<LoopEdge> chain_;
+};
+
+Result<std::set<int>> positionsOf(const ShapeIndex& index,
+                                  const BorderGraph& graph,
+                                  const std::vector<int>& edges) {
+  std::set<int> positions;
+  for (const int edge : edges) {
+    if (edge < 1 || edge > index.edgeCount())
+      return fail(
+          {.code = ErrorCode::EdgeOutOfRange, .edge = edge, .value = double(index.edgeCount())});
+    const int position = graph.find(edge);
+    if (position < 0) return fail(graph.refusal(edge));
+    if (!positions.insert(position).second)
+      return fail({.code = ErrorCode::EdgePickedTwice, .edge = edge});
+  }
+  return positions;
+}
+
+Picks picksOf(const BlendPicks& picks) {
+  Picks result;
+  result.continuity = picks.continuity;
+  result.edgeContinuity = picks.edgeContinuity;
+  return result;
+}
+
+std::optional<Error> checkSides(const BlendPicks& picks) {
+  if (picks.from.empty() && picks.to.empty()) return Error{.code = ErrorCode::NothingPicked};
+  if (picks.from.empty()) return Error{.code = ErrorCode::OneSideOnly, .detail = "from"};
+  if (picks.to.empty()) return Error{.code = ErrorCode::OneSideOnly, .detail = "to"};
+  for (const int edge : picks.from)
+    if (std::find(picks.to.begin(), picks.to.end(), edge) != picks.to.end())
+      return Error{.code = ErrorCode::EdgeOnBothSides, .edge = edge};
+  return std::nullopt;
+}
+
+std::optional<Error> strayWish(const BlendPicks& picks, const boundary::BoundaryLoop& sides) {
+  for (const auto& [edge, wish] : picks.edgeContinuity)
+    if (std::none_of(sides.sides.begin(), sides.sides.end(), [edge = edge](const auto& side) {
+          return side.edge == edge;
+        }))
+      return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<boundary::ChainPair> readChains(const ShapeIndex& index, const BlendPicks& picks) {
+  return guarded([&]() -> Result<boundary::ChainPair> {
+    if (const auto wrong = checkSides(picks)) return fail(*wrong);
+    const BorderGraph graph = BorderGraph::build(index, {});
+    const auto from = positionsOf(index, graph, picks.from);
+    if (!from) return fail(from.error());
+    const auto to = positionsOf(index, graph, picks.to);
+    if (!to) return fail(to.error());
+    ChainBuilder first(index, graph, *from), second(index, graph, *to);
+    if (const auto broken = first.connect()) return fail(*broken);
+    if (const auto broken = second.connect()) return fail(*broken);
+    first.extend(second.positions());
+    second.extend(first.positions());
+    auto pair = boundary::pairChains(first.finish(picksOf(picks)), second.finish(picksOf(picks)));
+    if (!pair) return pair;
+    if (const auto stray = strayWish(picks, pair->sides)) return fail(*stray);
+    return pair;
+  });
+}
+
+Result<std::vector<std::vector<int>>> groupEdges(const ShapeIndex& index,
+                                                 const std::vector<int>& edges) {
+  return guarded([&]() -> Result<std::vector<std::vector<int>>> {
+    const BorderGraph graph = BorderGraph::build(index, {});
+    auto left = positionsOf(index, graph, edges);
+    if (!left) return fail(left.error());
+    std::vector<std::vector<int>> groups;
+    while (!left->empty()) {
+      std::vector<int> pending{*left->begin()}, group;
+      left->erase(left->begin());
+      while (!pending.empty()) {
+        const BorderEdge& e = graph.edges()[std::size_t(pending.back())];
+        pending.pop_back();
+        group.push_back(e.edge);
+        for (const int node : e.nodes)
+          for (const int position : graph.at(node))
+            if (left->erase(position) > 0) pending.push_back(position);
+      }
+      std::sort(group.begin(), group.end());
+      groups.push_back(std::move(group));
+    }
+    return groups;
+  });
+}
+
+}  // namespace fairing::occt

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <map>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/boundary/side_chain.h"
+#include "occt/picks.h"
+#include "occt/shape_index.h"
+
+namespace fairing::occt {
+
+/// What is to be joined, in any order. Numbers are FreeCAD's (EdgeN).
+struct BlendPicks {
+  std::vector<int> from = {}, to = {};  ///< one edge of a smooth chain is enough
+  /// Of every edge with a face beside it; an edge without one is met G0.
+  Continuity continuity = Continuity::G1;
+  std::map<int, Continuity> edgeContinuity = {};  ///< by edge number, goes before `continuity`
+};
+
+/// The two chains the picks mean: the picked edges of a side, and those that continue them smoothly
+/// as long as just one does and no picked one of the other side is reached. Fails with OneSideOnly,
+/// EdgeOnBothSides, ChainBroken, ChainBranches, EdgeNotInLoop, the refusals of BorderGraph, and the
+/// codes of pairChains(). The sides must not be evaluated by two threads at once.
+[[nodiscard]] Result<boundary::ChainPair> readChains(const ShapeIndex& index,
+                                                     const BlendPicks& picks);
+
+/// Edges grouped into chains that connect, each ascending, by their lowest edges.
+[[nodiscard]] Result<std::vector<std::vector<int>>> groupEdges(const ShapeIndex& index,
+                                                               const std::vector<int>& edges);
+
+}  // namespace fairing::occt
