@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/assembly/assemble_shape_energy.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 
@@ -89,6 +90,7 @@ class SpanModel {
   SpanModel(const BsplineSurface& patch, const BasisRow& bu, const BasisRow& bv) {
     const int ku = static_cast<int>(bu.values.cols()), kv = static_cast<int>(bv.values.cols());
     basis_.resize(9, ku * kv);
+    values_.resize(0, ku * kv);
     for (int i = 0; i < ku; ++i)
       for (int j = 0; j < kv; ++j) indices_.push_back(patch.index(bu.first + i, bv.first + j));
   }
@@ -98,6 +100,7 @@ class SpanModel {
            const Jet& jet,
            const ShapeEnergy& energy,
            Index pointsLeft) {
+    addTangential(qu, qv, jet, pointsLeft);
     setJetBasis(qu.basis, qv.basis, basis_);
     const shape_energy::ResidualsWithDerivatives r = energy.linearised(jet);
     const Index count = r.values.size(), rows = filled_ + count * pointsLeft;
@@ -114,7 +117,7 @@ class SpanModel {
     }
   }
 
-  [[nodiscard]] ShapeElement finish(const std::vector<int>& numbers) const {
+  [[nodiscard]] ShapeElement finish(const std::vector<int>& numbers, double pinning) const {
     ShapeElement element;
     for (const int pole : indices_)
       element.points.push_back(numbers[static_cast<std::size_t>(pole)]);
@@ -124,11 +127,44 @@ class SpanModel {
     hessian.setZero(jacobian_.cols(), jacobian_.cols());
     hessian.selfadjointView<Eigen::Lower>().rankUpdate(jacobian_.transpose(), 2.0);
     hessian.triangularView<Eigen::StrictlyUpper>() = hessian.transpose();
+    if (pinning > 0.0) pin(pinning, hessian);
     return element;
   }
 
  private:
+  // Basis functions, and the weighted projection onto the tangent plane.
+  void addTangential(const GridPoint& qu, const GridPoint& qv, const Jet& jet, Index pointsLeft) {
+    if (values_.rows() == 0) {
+      values_.resize(pointsLeft, values_.cols());
+      projections_.resize(9, pointsLeft);
+    }
+    const Index k = values_.rows() - pointsLeft, kv = qv.basis.values.cols();
+    for (Index i = 0; i < qu.basis.values.cols(); ++i)
+      values_.row(k).segment(i * kv, kv) = qu.basis.values(0, i) * qv.basis.values.row(0);
+    const Eigen::Vector3d normal = jet.col(0).cross(jet.col(1)).normalized();
+    Eigen::Map<Eigen::Matrix3d>(projections_.col(k).data()) =
+        qu.weight * qv.weight * (Eigen::Matrix3d::Identity() - normal * normal.transpose());
+  }
+  void pin(double weight, MatrixXd& hessian) const {
+    using Stride = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
+    const Index n = values_.cols(), rows = hessian.rows();
+    for (Index a = 0; a < 3; ++a)
+      for (Index b = 0; b <= a; ++b) {
+        const MatrixXd gram = values_.transpose() *
+                              (weight * projections_.row(3 * a + b).transpose()).asDiagonal() *
+                              values_;
+        const auto block = [&](Index c, Index d) {
+          return Eigen::Map<MatrixXd, 0, Stride>(
+              hessian.data() + d * rows + c, n, n, Stride(3 * rows, 3));
+        };
+        block(a, b) += gram;
+        if (a != b) block(b, a) += gram;
+      }
+  }
+
   std::vector<int> indices_;
+  MatrixXd values_;                                       // point, basis function
+  Eigen::Matrix<double, 9, Eigen::Dynamic> projections_;  // a 3 x 3 matrix a point
   JetBasis basis_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian_;
   Eigen::VectorXd residuals_;
@@ -139,6 +175,7 @@ void appendElements(const BsplineSurface& patch,
                     const std::vector<int>& numbers,
                     const ShapeEnergy& energy,
                     int points,
+                    double pinning,
                     std::vector<ShapeElement>& elements) {
   const GridLine u(patch.u, points), v(patch.v, points);
   const std::vector<Jet> jets = gridJets(patch, u, v);
@@ -153,7 +190,7 @@ void appendElements(const BsplineSurface& patch,
                     jets[i * v.points.size() + j],
                     energy,
                     static_cast<Index>(left));
-      elements.push_back(model.finish(numbers));
+      elements.push_back(model.finish(numbers, pinning));
     }
 }
 
@@ -162,11 +199,12 @@ void appendElements(const BsplineSurface& patch,
 std::vector<ShapeElement> assembleShapeEnergy(const layout::PatchLayout& layout,
                                               const std::vector<BsplineSurface>& patches,
                                               const ShapeEnergy& energy,
-                                              int points) {
+                                              int points,
+                                              double pinning) {
   FAIRING_ASSERT(patches.size() == layout.patches.size());
   std::vector<ShapeElement> elements;
   for (std::size_t p = 0; p < patches.size(); ++p)
-    appendElements(patches[p], layout.patches[p].points, energy, points, elements);
+    appendElements(patches[p], layout.patches[p].points, energy, points, pinning, elements);
   return elements;
 }
 

@@ -21,11 +21,14 @@ struct ShapeElement {
 /// One element a span, by Gauss-Legendre with `points` a span and direction; 0 = the degree there,
 /// which leaves no zero modes but the energy's own and is good to 1e-3 of a shape that its spans
 /// can write. The patches lie on the layout's knots. Not finite where a normal vanishes.
+/// `pinning` adds  1/2 pinning * integral |d - (d . n) n|^2 du dv  to the model: the energy does
+/// not see displacements along the surface.
 [[nodiscard]] std::vector<ShapeElement> assembleShapeEnergy(
     const layout::PatchLayout& layout,
     const std::vector<spline::BsplineSurface>& patches,
     const shape_energy::ShapeEnergy& energy,
-    int points = 0);
+    int points = 0,
+    double pinning = 0.0);
 
 /// The energy alone, by the same quadrature.
 [[nodiscard]] double shapeEnergyOf(const std::vector<spline::BsplineSurface>& patches,

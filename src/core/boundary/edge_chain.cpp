@@ -124,7 +124,9 @@ std::vector<CurveBreak> breaksOf(const std::vector<Link>& links, double length) 
 void addParts(const Link& link, double length, std::vector<Stretch>& result) {
   constexpr int kParts = 8;
   const Stretch& s = link.stretch;
-  const auto edgeAt = [&](int part) { return s.from + (s.to - s.from) * part / kParts; };
+  const auto edgeAt = [&](int part) {
+    return part == kParts ? s.to : s.from + (s.to - s.from) * part / kParts;
+  };
   const auto chainAt = [&](int part) {
     return s.start + link.arc.lengthUpTo(edgeAt(part)) / length;
   };

@@ -96,11 +96,13 @@ Walk walkOf(const SideChain& chain) {
 // A chain from a place round to it again; from its start to its end where it is open.
 std::vector<Stretch> stretchesFrom(std::size_t first, std::size_t count, LoopPlace start) {
   constexpr double kAtEnd = 1e-9;
-  std::vector<Stretch> result;
-  if (1.0 - start.t > kAtEnd) result.push_back({start.side, start.t, 1.0});
+  const bool atEnd = 1.0 - start.t <= kAtEnd;
+  const std::size_t from = atEnd ? first + (start.side - first + 1) % count : start.side;
+  const double t = atEnd || start.t <= kAtEnd ? 0.0 : start.t;
+  std::vector<Stretch> result{{from, t, 1.0}};
   for (std::size_t k = 1; k < count; ++k)
-    result.push_back({first + (start.side - first + k) % count, 0.0, 1.0});
-  if (start.t > kAtEnd) result.push_back({start.side, 0.0, start.t});
+    result.push_back({first + (from - first + k) % count, 0.0, 1.0});
+  if (t > 0.0) result.push_back({from, 0.0, t});
   return result;
 }
 

@@ -86,8 +86,9 @@ class Collector {
  public:
   Collector(const solver::Points& about) : about_(about) {}
 
-  void add(const CurvedEdge& e, int i) {
-    if (auto row = rowAt(e, e.edge->knots.greville(i), about_)) add(*row, e, i);
+  void add(const CurvedEdge& e, int i) { add(e, {i, e.edge->knots.greville(i)}); }
+  void add(const CurvedEdge& e, const Collocation& at) {
+    if (auto row = rowAt(e, at.s, about_)) add(*row, e, at.pole);
   }
   void addCorner(const CurvedEdge& before, const CurvedEdge& after) {
     const int last = before.edge->knots.poleCount() - 3;
@@ -136,8 +137,8 @@ std::optional<solver::ConstraintBlock> curvatureRows(
       if (!curved[k]) continue;
       const auto &next = curved[(k + 1) % 4], &previous = curved[(k + 3) % 4];
       const int n = curved[k]->edge->knots.poleCount();
-      if (curved[k]->edge->ends == ConstrainedEdge::Ends::Closed) {
-        for (const int i : collocationPoles(*curved[k]->edge)) collector.add(*curved[k], i);
+      if (curved[k]->edge->ends != ConstrainedEdge::Ends::Held) {
+        for (const Collocation& at : collocation(*curved[k]->edge)) collector.add(*curved[k], at);
         continue;
       }
       const bool startsAtSeam = !patches[p][(k + 3) % 4], endsAtSeam = !patches[p][(k + 1) % 4];

@@ -130,13 +130,14 @@ std::vector<solver::TieBlock> tieSeams(const layout::PatchLayout& layout) {
 
 std::vector<solver::TieBlock> tieClosing(const layout::LayoutPatch& patch) {
   const int n = patch.u.poleCount(), rows = patch.v.poleCount();
-  const spline::BasisRow start = spline::basisRow(patch.u, patch.u.first(), 2);
-  const spline::BasisRow end = spline::basisRow(patch.u, patch.u.last(), 2);
+  const int smooth = std::min(patch.u.degree() - 1, spline::kMaxBasisDerivative);
+  const spline::BasisRow start = spline::basisRow(patch.u, patch.u.first(), smooth);
+  const spline::BasisRow end = spline::basisRow(patch.u, patch.u.last(), smooth);
   std::vector<solver::TieBlock> blocks;
   for (int j = 1; j + 1 < rows; ++j) {
     const auto point = [&](int i) { return patch.points[static_cast<std::size_t>(i * rows + j)]; };
     solver::TieBlock block;
-    for (int order = 0; order <= 2; ++order) {
+    for (int order = 0; order <= smooth; ++order) {
       solver::TieRow row;
       for (int k = 0; k <= patch.u.degree(); ++k) {
         row.points.push_back(point(start.first + k));
@@ -145,8 +146,8 @@ std::vector<solver::TieBlock> tieClosing(const layout::LayoutPatch& patch) {
         row.weights.push_back(-end.values(order, k));
       }
       addRow(block, row);
+      block.solvedFor.push_back(point(n - 1 - order));
     }
-    block.solvedFor = {point(n - 1), point(n - 2), point(n - 3)};
     blocks.push_back(std::move(block));
   }
   return blocks;

@@ -13,7 +13,8 @@ namespace fairing::constraint {
 /// vertex, for all seams that end there; then one per seam end on the loop; then one per seam.
 [[nodiscard]] std::vector<solver::TieBlock> tieSeams(const layout::PatchLayout& layout);
 
-/// A patch closes upon itself along u: its ends, and first and second derivatives there, are one.
+/// A patch closes upon itself along u: its ends, and all derivatives there that are continuous at
+/// other knots (up to the fourth), are one.
 /// Its South and North edges are left to the sides.
 [[nodiscard]] std::vector<solver::TieBlock> tieClosing(const layout::LayoutPatch& patch);
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "core/boundary/constraint_normal.h"
 #include "core/spline/bspline_basis.h"
@@ -94,6 +95,26 @@ solver::LinearRow derivativeRow(const ConstrainedEdge& edge, const CornerNormal&
   return row;
 }
 
+// The periodic spline has the inner knots and one at its seam. The poles beyond are tied to the
+// first ones (tieClosing).
+std::vector<Collocation> periodicCollocation(const spline::KnotVector& knots) {
+  const auto p = static_cast<std::size_t>(knots.degree());
+  const std::vector<double>& all = knots.knots();
+  const std::vector<double> round(all.begin() + static_cast<std::ptrdiff_t>(p),
+                                  all.end() - static_cast<std::ptrdiff_t>(p) - 1);
+  const double period = knots.last() - knots.first();
+  std::vector<Collocation> places;
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    double mean = 0.0;
+    for (std::size_t k = i + 1; k <= i + p; ++k)
+      mean += (round[k % round.size()] + static_cast<double>(k / round.size()) * period) /
+              static_cast<double>(p);
+    const double turns = std::floor((mean - knots.first()) / period);
+    places.push_back({static_cast<int>(i), mean - turns * period});
+  }
+  return places;
+}
+
 // Rows of unit size, lest the rank depend on the knots.
 solver::LinearRow scaled(solver::LinearRow row) {
   double largest = 0.0;
@@ -155,24 +176,20 @@ std::optional<solver::ConstraintBlock> splitTangency(const ConstrainedEdge& befo
   return block;
 }
 
-std::vector<int> collocationPoles(const ConstrainedEdge& edge) {
-  using Ends = ConstrainedEdge::Ends;
-  const int n = edge.knots.poleCount();
-  std::vector<int> poles;
-  for (int i = 0; i < n; ++i) {
-    const bool isInner = i >= 2 && i < n - 2;
-    if (isInner || edge.ends == Ends::Free || (edge.ends == Ends::Closed && i == 0))
-      poles.push_back(i);
-  }
-  return poles;
+std::vector<Collocation> collocation(const ConstrainedEdge& edge) {
+  if (edge.ends == ConstrainedEdge::Ends::Closed) return periodicCollocation(edge.knots);
+  const int leftOut = edge.ends == ConstrainedEdge::Ends::Held ? 2 : 0;
+  std::vector<Collocation> places;
+  for (int i = leftOut; i < edge.knots.poleCount() - leftOut; ++i)
+    places.push_back({i, edge.knots.greville(i)});
+  return places;
 }
 
 Result<solver::ConstraintBlock> tangentRows(const ConstrainedEdge& edge) {
   solver::ConstraintBlock block;
   const auto pole = [&](int i) { return edge.use->curve.poles.row(i); };
   int asked = 0;
-  for (const int i : collocationPoles(edge)) {
-    const double s = edge.knots.greville(i);
+  for (const auto& [i, s] : collocation(edge)) {
     if (!edge.isTangentAt(edge.sideParameter(s))) continue;
     ++asked;
     const Vector3d normal = constraintNormal(edge.side->ribbon, edge.sideParameter(s));

@@ -49,10 +49,15 @@ struct ConstrainedEdge {
                                                                    const ConstrainedEdge& after,
                                                                    const boundary::Corner& corner);
 
-/// The places at which an edge is collocated: the Greville abscissae of its poles, by number. Left
-/// out are the two next to a held end, where R_v . n has a double zero already, and of a closed
-/// edge as many as it has ties.
-[[nodiscard]] std::vector<int> collocationPoles(const ConstrainedEdge& edge);
+/// A place at which an edge is collocated, and the pole next to it.
+struct Collocation {
+  int pole = 0;
+  double s = 0.0;  ///< parameter of the patch
+};
+
+/// The Greville abscissae of an edge's poles. Left out are the two next to a held end, where R_v .
+/// n has a double zero already; a closed edge has those of the periodic spline it is.
+[[nodiscard]] std::vector<Collocation> collocation(const ConstrainedEdge& edge);
 
 /// R_v . n = 0 along an edge, collocated.
 /// Where the support has no normal nothing is asked. Fails with SupportNormalSingular where it has

@@ -17,8 +17,10 @@ namespace {
 using spline::KnotVector;
 
 constexpr double kMostCoarseSpans = 6.0;
-// Round a closed strip: a circle of eight quintic spans is round to 1e-6.
-constexpr double kLeastSpansRound = 8.0, kMostSpansRound = 16.0;
+// Round a closed strip: a circle of twelve quintic spans is round to 1e-7. Across a strip: its
+// sides take up to six rows of control points, the shape needs some, too.
+constexpr double kLeastSpansRound = 12.0, kMostSpansRound = 16.0;
+constexpr double kLeastSpansAcross = 4.0;
 // Fewer control points along a strip than this are not asked for, however many the patches have.
 constexpr int kLeastAlong = 8;
 // Knots of one strip closer than this are one.
@@ -119,9 +121,10 @@ PatchLayout coarseLayout(const LayoutPlan& plan,
       const KnotVector& own = d == 0 ? layout.patches[q].u : layout.patches[q].v;
       const double wish = std::ceil(options.density * (own.last() - own.first()) - 0.25);
       const bool isRound = plan.closed && d == 0;
-      const int spans =
-          static_cast<int>(isRound ? std::clamp(wish, kLeastSpansRound, kMostSpansRound)
-                                   : std::clamp(wish, 1.0, kMostCoarseSpans));
+      const bool isAcross = plan.kind == LayoutKind::Strip && d == 1;
+      const double least = isRound ? kLeastSpansRound : isAcross ? kLeastSpansAcross : 1.0;
+      const double most = isRound ? kMostSpansRound : kMostCoarseSpans;
+      const int spans = static_cast<int>(std::clamp(wish, least, most));
       std::vector<double> breaks;
       for (int k = 0; k <= spans; ++k) breaks.push_back(static_cast<double>(k) / spans);
       knots[static_cast<std::size_t>(layout.strips.uses[q][d].strip)] =

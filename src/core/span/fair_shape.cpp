@@ -4,15 +4,18 @@
 #include <Eigen/Cholesky>
 #include <memory>
 
+#include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_shape_energy.h"
 #include "core/layout/layouts.h"
 #include "core/shape_energy/mean_curvature_gradient.h"
+#include "core/solver/tie_points.h"
 
 // One step d from the points x, in the directions T that the constraints leave free:
-//   (T' (s^2 H + w P / s^2 + m / s^2) T) y = -T' s^2 g,   d = T y
+//   (T' (s^2 H + w P / s^2 + m M / s^2) T) y = -T' s^2 g,   d = T y
 // H, g   Gauss-Newton model of the energy (assembly/assemble_shape_energy.h), s the hole's diagonal
-// P      tangential part of every control point's displacement: the energy does not see the
+// P      tangential part of the displacement, over the surface: the energy does not see the
 //        parametrisation, which would drift
+// M      the whole displacement, over the parameters
 // m      Levenberg-Marquardt weight, raised until the true energy falls [NocedalWright2006] 10.3
 
 namespace fairing {
@@ -29,6 +32,9 @@ constexpr double kDensity = 2.0, kHighDensity = 3.0;
 constexpr double kFitShare = 1e-3;  // of the diagonal: how closely the sides are followed
 constexpr int kMostPolesAlong = 14;
 constexpr int kSteps = 2;
+// A strip's start is farther from its end: nothing holds its middle.
+constexpr int kStepsOfStrip = 8;
+constexpr double kWorthAStep = 1e-3;  // of the energy
 constexpr double kPinning = 1e4;
 constexpr int kTrials = 4;
 constexpr double kFirstDamping = 1e2, kDampingFactor = 30.0;
@@ -44,21 +50,6 @@ std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind) {
   return nullptr;
 }
 
-// Normals at the control points' Greville abscissae; where patches share a point, the last one's.
-solver::Points normalsAtPoints(const layout::PatchLayout& layout, const Patches& patches) {
-  solver::Points normals = solver::Points::Zero(layout.pointCount, 3);
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const spline::BsplineSurface& patch = patches[p];
-    const auto u = patch.u.grevilleAbscissae(), v = patch.v.grevilleAbscissae();
-    for (std::size_t i = 0; i < u.size(); ++i)
-      for (std::size_t j = 0; j < v.size(); ++j) {
-        const Eigen::Vector3d n = patch.jet(u[i], v[j]).normalVector().normalized();
-        if (n.allFinite()) normals.row(layout.patches[p].points[i * v.size() + j]) = n.transpose();
-      }
-  }
-  return normals;
-}
-
 struct Model {
   MatrixXd hessian;  // 3n x 3n
   VectorXd gradient;
@@ -70,7 +61,9 @@ Model modelOf(const layout::PatchLayout& layout,
               double size) {
   const Index n = 3 * layout.pointCount;
   Model model{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
-  for (const assembly::ShapeElement& e : assembly::assembleShapeEnergy(layout, patches, energy)) {
+  const double pinning = kPinning / (size * size * size * size);
+  for (const assembly::ShapeElement& e :
+       assembly::assembleShapeEnergy(layout, patches, energy, 0, pinning)) {
     for (std::size_t b = 0; b < e.points.size(); ++b) {
       const auto column = static_cast<Index>(3 * b), to = static_cast<Index>(3 * e.points[b]);
       model.gradient.segment<3>(to) += size * size * e.gradient.segment<3>(column);
@@ -78,13 +71,6 @@ Model modelOf(const layout::PatchLayout& layout,
         model.hessian.block<3, 3>(3 * e.points[a], to) +=
             size * size * e.hessian.block<3, 3>(static_cast<Index>(3 * a), column);
     }
-  }
-  const double pinning = kPinning / (size * size) / layout.pointCount;
-  const solver::Points normals = normalsAtPoints(layout, patches);
-  for (Index k = 0; k < layout.pointCount; ++k) {
-    const Eigen::Vector3d normal = normals.row(k);
-    model.hessian.block<3, 3>(3 * k, 3 * k) +=
-        pinning * (Eigen::Matrix3d::Identity() - normal * normal.transpose());
   }
   return model;
 }
@@ -110,11 +96,10 @@ class Descent {
   bool step(solver::Points& points, double& value) const {
     const Model model =
         projected(modelOf(layout_, makePatches(layout_, points), energy_, size_), freedom_);
-    const double damping = 1.0 / (size_ * size_) / layout_.pointCount;
     double weight = 0.0;
     for (int trial = 0; trial < kTrials; ++trial) {
       MatrixXd matrix = model.hessian;
-      matrix.diagonal().array() += weight * damping;
+      if (weight > 0.0) matrix += weight / (size_ * size_) * displacement();
       const Eigen::LLT<MatrixXd> factor(matrix);
       if (factor.info() == Eigen::Success) {
         const VectorXd moved = freedom_ * factor.solve(-model.gradient);
@@ -133,6 +118,13 @@ class Descent {
   }
 
  private:
+  // The integral of |d|^2 in the free directions.
+  [[nodiscard]] MatrixXd displacement() const {
+    const solver::Sparse mass =
+        solver::threefold(assembly::assembleEnergy(layout_, {{1.0, {0, 0}, {0, 0}}}));
+    return MatrixXd(freedom_.transpose() * solver::Sparse(mass * freedom_));
+  }
+
   const layout::PatchLayout& layout_;
   const shape_energy::ShapeEnergy& energy_;
   solver::Sparse freedom_;
@@ -159,7 +151,8 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
   shape.energyBefore = shape.energy =
       assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
   std::optional<Descent> descent;  // lasts as long as its program
-  while (shape.steps < kSteps) {
+  const int steps = layout.kind == LayoutKind::Strip ? kStepsOfStrip : kSteps;
+  while (shape.steps < steps) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     if (isIterated(plan.cut.loop, options)) {  // the nearest points that meet all that is asked
       program = makeProgram(plan,
@@ -174,8 +167,10 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
       descent.reset();
     }
     if (!descent) descent.emplace(shape.layout, *energy, *program, diagonal);
+    const double before = shape.energy;
     if (!descent->step(current->points, shape.energy)) break;
     ++shape.steps;
+    if (before - shape.energy < kWorthAStep * before) break;
   }
   shape.patches = makePatches(shape.layout, current->points);
   return shape;

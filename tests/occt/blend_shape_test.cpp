@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "occt/blend_shape.h"
+
+#include <gmock/gmock.h>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+#include <numbers>
+
+#include "occt/from_occt.h"
+#include "occt/shapes.h"
+
+namespace fairing::occt {
+namespace {
+
+using namespace fairing::testing;
+using Eigen::Vector3d;
+
+constexpr double kRound = 2.0 * std::numbers::pi;
+
+Result<ShapeFill> tryBlend(const TopoDS_Shape& shape,
+                           const BlendPicks& picks,
+                           ResultMode mode = ResultMode::Patches) {
+  return blendShape(ShapeIndex(shape), picks, {}, mode);
+}
+
+ShapeFill blended(const TopoDS_Shape& shape,
+                  const BlendPicks& picks,
+                  ResultMode mode = ResultMode::Patches) {
+  auto result = tryBlend(shape, picks, mode);
+  EXPECT_TRUE(result.has_value()) << (result ? 0 : int(result.error().code));
+  return result ? *result : ShapeFill{};
+}
+
+ErrorCode refusal(const TopoDS_Shape& shape, const BlendPicks& picks) {
+  const auto result = tryBlend(shape, picks);
+  EXPECT_FALSE(result.has_value());
+  return result ? ErrorCode::Foreign : result.error().code;
+}
+
+/// The edges nearest to two points, a side each.
+BlendPicks between(const TopoDS_Shape& shape,
+                   const Vector3d& a,
+                   const Vector3d& b,
+                   Continuity continuity = Continuity::G1) {
+  const auto edges = edgesNear(ShapeIndex(shape), {a, b});
+  return {.from = {edges[0]}, .to = {edges[1]}, .continuity = continuity};
+}
+
+gp_Ax3 upright(double z) {
+  return gp_Ax3(gp_Pnt(0, 0, z), gp_Dir(0, 0, 1));
+}
+
+TopoDS_Shape pipe(double radius, double from, double to) {
+  return grid(new Geom_CylindricalSurface(upright(0.0), radius),
+              {0.0, kRound},
+              {from, to},
+              {},
+              Joint::Loose);
+}
+
+/// Pipes of radius 5 and 9 with one axis, 16 mm apart.
+TopoDS_Shape coaxialPipes() {
+  return compound({pipe(5.0, -14.0, -8.0), pipe(9.0, 8.0, 14.0)});
+}
+BlendPicks coaxialPicks(Continuity continuity = Continuity::G1) {
+  return between(coaxialPipes(), {-5, 0, -8}, {-9, 0, 8}, continuity);
+}
+
+std::vector<Vector3d> pointsOf(const ShapeFill& blend) {
+  constexpr int kAlong = 40;
+  std::vector<Vector3d> points;
+  for (const auto& patch : blend.fill.patches)
+    for (int i = 0; i <= kAlong; ++i)
+      for (int j = 0; j <= kAlong; ++j)
+        points.push_back(patch.evaluate(patch.u.last() * i / kAlong, patch.v.last() * j / kAlong));
+  return points;
+}
+
+double largestDistance(const ShapeFill& blend, const Handle(Geom_Surface) & surface) {
+  double largest = 0.0;
+  for (const Vector3d& p : pointsOf(blend)) {
+    const GeomAPI_ProjectPointOnSurf foot(gp_Pnt(p.x(), p.y(), p.z()), surface);
+    largest = std::max(largest, foot.LowerDistance());
+  }
+  return largest;
+}
+
+/// Largest distance of the points of one blend from the surface of another.
+double apart(const ShapeFill& a, const ShapeFill& b) {
+  const TopExp_Explorer face(b.shape, TopAbs_FACE);
+  return largestDistance(a, BRep_Tool::Surface(TopoDS::Face(face.Current())));
+}
+
+TEST(BlendShape, JoinsTwoPipesByOneValidFaceThatClosesUponItself) {
+  const ShapeFill blend = blended(coaxialPipes(), coaxialPicks());
+  EXPECT_TRUE(blend.fill.report.withinTolerance);
+  EXPECT_TRUE(BRepCheck_Analyzer(blend.shape).IsValid());
+  ASSERT_EQ(blend.fill.patches.size(), 1U);
+  const auto& patch = blend.fill.patches.front();
+  for (int j = 0; j <= 10; ++j) {
+    const double v = patch.v.last() * j / 10;
+    const auto start = patch.jet(0.0, v), end = patch.jet(patch.u.last(), v);
+    EXPECT_LT((start.point - end.point).norm(), 1e-9);
+    EXPECT_LT((start.u - end.u).norm(), 1e-6 * start.u.norm());
+    EXPECT_LT((start.uu - end.uu).norm(), 1e-4 * start.uu.norm());
+  }
+}
+
+TEST(BlendShape, OfCoaxialPipesIsASurfaceOfRevolution) {
+  const ShapeFill blend = blended(coaxialPipes(), coaxialPicks());
+  const auto& patch = blend.fill.patches.front();
+  const double limit = 1e-5 * blend.fill.report.diagonal;
+  for (int j = 0; j <= 10; ++j) {
+    const Vector3d first = patch.evaluate(0.0, patch.v.last() * j / 10);
+    for (int i = 1; i < 40; ++i) {
+      const Vector3d p = patch.evaluate(patch.u.last() * i / 40, patch.v.last() * j / 10);
+      EXPECT_NEAR(p.head<2>().norm(), first.head<2>().norm(), limit);
+      EXPECT_NEAR(p.z(), first.z(), limit);
+    }
+  }
+}
+
+// The gradient of the mean curvature, which is made small, vanishes on cylinders and spheres, not
+// on a torus.
+TEST(BlendShape, OfTwoEndsOfOneSurfaceIsThatSurface) {
+  const struct {
+    const char* name;
+    Handle(Geom_Surface) surface;
+    double v0, v1, v2, v3, share;
+  } kCases[] = {
+      {"cylinder", new Geom_CylindricalSurface(upright(0), 5.0), -9, -3, 4, 9, 1e-6},
+      {"sphere", new Geom_SphericalSurface(upright(0), 10.0), -0.9, -0.3, 0.4, 0.9, 1e-4},
+      {"torus", new Geom_ToroidalSurface(upright(0), 20.0, 6.0), 0.2, 0.8, 1.8, 2.4, 5e-4},
+  };
+  for (const auto& c : kCases) {
+    const TopoDS_Shape shape =
+        grid(c.surface, {0.0, kRound}, {c.v0, c.v1, c.v2, c.v3}, {{0, 1}}, Joint::Loose);
+    const double half = 0.5 * kRound;
+    const ShapeFill blend = blended(
+        shape,
+        between(
+            shape, fromOcct(c.surface->Value(half, c.v1)), fromOcct(c.surface->Value(half, c.v2))));
+    EXPECT_TRUE(blend.fill.report.withinTolerance) << c.name;
+    EXPECT_LT(largestDistance(blend, c.surface), c.share * blend.fill.report.diagonal) << c.name;
+  }
+}
+
+TEST(BlendShape, MeetsCurvatureWhereAsked) {
+  const ShapeFill blend = blended(coaxialPipes(), coaxialPicks(Continuity::G2));
+  EXPECT_TRUE(blend.fill.report.withinTolerance);
+  EXPECT_LT(blend.fill.report.largestCurvature, 0.01);
+}
+
+TEST(BlendShape, DoesNotDependOnWhichSideIsFirst) {
+  const BlendPicks picks = coaxialPicks();
+  const ShapeFill one = blended(coaxialPipes(), picks);
+  const ShapeFill other =
+      blended(coaxialPipes(), {.from = picks.to, .to = picks.from, .continuity = Continuity::G1});
+  EXPECT_LT(apart(one, other), 1e-6 * one.fill.report.diagonal);
+}
+
+TEST(BlendShape, DoesNotDependOnTheFacesOrientation) {
+  const TopoDS_Shape turned = everySecondReversed(coaxialPipes());
+  const ShapeFill one = blended(coaxialPipes(), coaxialPicks());
+  const ShapeFill other = blended(turned, between(turned, {-5, 0, -8}, {-9, 0, 8}));
+  EXPECT_TRUE(other.fill.report.withinTolerance);
+  EXPECT_LT(apart(one, other), 1e-6 * one.fill.report.diagonal);
+}
+
+TopoDS_Shape twoPlanes() {
+  const Handle(Geom_Surface) floor = new Geom_Plane(upright(0));
+  const Handle(Geom_Surface) wall =
+      new Geom_Plane(gp_Ax3(gp_Pnt(12, 0, 9), gp_Dir(-1, 0, 0), gp_Dir(0, -1, 0)));
+  return compound({grid(floor, {-10.0, 0.0}, {0.0, 20.0}, {}, Joint::Loose),
+                   grid(wall, {-20.0, 0.0}, {0.0, 10.0}, {}, Joint::Loose)});
+}
+
+TEST(BlendShape, BetweenTwoPlanesIsACylinder) {
+  const TopoDS_Shape shape = twoPlanes();
+  const ShapeIndex index(shape);
+  for (const Continuity asked : {Continuity::G1, Continuity::G2}) {
+    const auto edges = edgesNear(index, {{0, 10, 0}, {12, 10, 9}});
+    const ShapeFill blend =
+        blended(shape, {.from = {edges[0]}, .to = {edges[1]}, .continuity = asked});
+    EXPECT_TRUE(blend.fill.report.withinTolerance);
+    EXPECT_TRUE(BRepCheck_Analyzer(blend.shape).IsValid());
+    // Every section across the y-axis is the same curve.
+    const auto& patch = blend.fill.patches.front();
+    for (int j = 0; j <= 10; ++j) {
+      const Vector3d first = patch.evaluate(0.0, patch.v.last() * j / 10);
+      const Vector3d last = patch.evaluate(patch.u.last(), patch.v.last() * j / 10);
+      EXPECT_NEAR(first.x(), last.x(), 1e-4);
+      EXPECT_NEAR(first.z(), last.z(), 1e-4);
+    }
+  }
+}
+
+TEST(BlendShape, IsSewnIntoTheBase) {
+  const ShapeFill pipes = blended(coaxialPipes(), coaxialPicks(), ResultMode::Base);
+  EXPECT_TRUE(BRepCheck_Analyzer(pipes.shape).IsValid());
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(pipes.shape, TopAbs_FACE, faces);
+  EXPECT_EQ(faces.Extent(), 3);
+  const TopoDS_Shape planes = twoPlanes();
+  const auto edges = edgesNear(ShapeIndex(planes), {{0, 10, 0}, {12, 10, 9}});
+  const ShapeFill strip = blended(planes, {.from = {edges[0]}, .to = {edges[1]}}, ResultMode::Base);
+  EXPECT_TRUE(BRepCheck_Analyzer(strip.shape).IsValid());
+}
+
+TEST(BlendShape, TakesChainsOfSmoothEdgesAndAnyStart) {
+  const Handle(Geom_Surface) small = new Geom_CylindricalSurface(upright(0), 5.0);
+  const TopoDS_Shape halves = grid(small, {0.7, 0.7 + 0.4 * kRound, 0.7 + kRound}, {-14, -8}, {});
+  const TopoDS_Shape shape = compound({halves, pipe(9.0, 8.0, 14.0)});
+  const ShapeFill blend = blended(
+      shape, between(shape, {5.0 * std::cos(1.957), 5.0 * std::sin(1.957), -8}, {-9, 0, 8}));
+  EXPECT_EQ(blend.fill.report.sides.size(), 3U);
+  EXPECT_TRUE(blend.fill.report.withinTolerance);
+  const ShapeFill whole = blended(coaxialPipes(), coaxialPicks());
+  EXPECT_LT(apart(blend, whole), 1e-5 * whole.fill.report.diagonal);
+}
+
+TEST(BlendShape, RefusesWhatItCannotJoin) {
+  const TopoDS_Shape pipes = coaxialPipes(), planes = twoPlanes();
+  const BlendPicks good = coaxialPicks();
+  EXPECT_EQ(refusal(pipes, {}), ErrorCode::NothingPicked);
+  EXPECT_EQ(refusal(pipes, {.from = good.from}), ErrorCode::OneSideOnly);
+  EXPECT_EQ(refusal(pipes, {.from = good.from, .to = good.from}), ErrorCode::EdgeOnBothSides);
+  EXPECT_EQ(refusal(pipes, {.from = good.from, .to = {99}}), ErrorCode::EdgeOutOfRange);
+  const TopoDS_Shape mixed = compound({pipes, planes});
+  EXPECT_EQ(refusal(mixed, between(mixed, {-5, 0, -8}, {12, 10, 9})), ErrorCode::ChainsUnlike);
+  const auto corner = edgesNear(ShapeIndex(planes), {{0, 10, 0}, {-5, 0, 0}, {12, 10, 9}});
+  EXPECT_EQ(refusal(planes, {.from = {corner[0], corner[1]}, .to = {corner[2]}}),
+            ErrorCode::ChainTurns);
+  const auto opposite = edgesNear(ShapeIndex(planes), {{0, 10, 0}, {-10, 10, 0}, {12, 10, 9}});
+  EXPECT_EQ(refusal(planes, {.from = {opposite[0], opposite[1]}, .to = {opposite[2]}}),
+            ErrorCode::ChainBroken);
+}
+
+}  // namespace
+}  // namespace fairing::occt
