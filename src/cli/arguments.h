@@ -59,6 +59,7 @@ struct BlendArguments {
   std::string continuity = "G1";
   std::string energy{text::word(FillOptions{}.energy)}, result = "patches";
   std::optional<double> gap, angle;
+  double reachFrom = 1.0, reachTo = 1.0;
   int degree = 0, maxPoles = FillOptions{}.maxPoles;
 
   void addTo(CLI::App& command);

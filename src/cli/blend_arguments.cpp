@@ -19,6 +19,10 @@ void BlendArguments::addTo(CLI::App& command) {
   command.add_option("--energy",
                      energy,
                      "thin-plate, membrane or mean-curvature-gradient (default " + energy + ")");
+  command.add_option("--reach-from",
+                     reachFrom,
+                     "how far the blend reaches on the first side; 1 = what the energy likes best");
+  command.add_option("--reach-to", reachTo, "the same on the other side");
   command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the blend's diagonal)");
   command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
   command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
@@ -67,7 +71,8 @@ Result<BlendOptions> BlendArguments::options() const {
   chosen.fill.tolerance = *tolerance;
   chosen.fill.degree = degree;
   chosen.fill.maxPoles = maxPoles;
-  if (const auto error = validate(chosen.fill)) return fail(*error);
+  chosen.reach = {reachFrom, reachTo};
+  if (const auto error = validate(chosen)) return fail(*error);
   return chosen;
 }
 

@@ -11,7 +11,7 @@ Result<ShapeFill> blendShape(const ShapeIndex& index,
                              const BlendOptions& options,
                              ResultMode mode,
                              Progress* progress) {
-  if (const auto error = validate(options.fill)) return fail(*error);
+  if (const auto error = validate(options)) return fail(*error);
   auto pair = readChains(index, picks);
   if (!pair) return fail(pair.error());
   auto blend = blendChains(*pair, options, progress);

@@ -231,6 +231,30 @@ TEST(BlendShape, TakesChainsOfSmoothEdgesAndAnyStart) {
   EXPECT_LT(apart(blend, whole), 1e-5 * whole.fill.report.diagonal);
 }
 
+TEST(BlendShape, ReachesAsFarAsAskedAndStaysTangent) {
+  const TopoDS_Shape shape = coaxialPipes();
+  const ShapeIndex index(shape);
+  const ShapeFill natural = blended(shape, coaxialPicks());
+  const auto departure = [](const ShapeFill& blend, bool first) {
+    const auto& patch = blend.fill.patches.front();
+    return patch.jet(0.0, first ? 0.0 : patch.v.last()).v.norm();
+  };
+  for (const Continuity asked : {Continuity::G1, Continuity::G2}) {
+    const ShapeFill one = blended(shape, coaxialPicks(asked));
+    const auto longer =
+        blendShape(index, coaxialPicks(asked), {{}, {1.5, 0.7}}, ResultMode::Patches);
+    ASSERT_TRUE(longer.has_value());
+    EXPECT_LT(longer->fill.report.largestAngle, 0.02);
+    EXPECT_NEAR(departure(*longer, true), 1.5 * departure(one, true), 1e-9);
+    EXPECT_NEAR(departure(*longer, false), 0.7 * departure(one, false), 1e-9);
+  }
+  const auto same = blendShape(index, coaxialPicks(), {{}, {1.0 + 1e-9, 1.0}}, ResultMode::Patches);
+  EXPECT_LT(apart(*same, natural), 1e-6 * natural.fill.report.diagonal);
+  const auto none = blendShape(index, coaxialPicks(), {{}, {0.0, 1.0}}, ResultMode::Patches);
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().code, ErrorCode::ReachNotPositive);
+}
+
 TEST(BlendShape, RefusesWhatItCannotJoin) {
   const TopoDS_Shape pipes = coaxialPipes(), planes = twoPlanes();
   const BlendPicks good = coaxialPicks();

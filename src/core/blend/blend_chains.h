@@ -2,6 +2,7 @@
 #pragma once
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/blend/reach.h"
 #include "core/boundary/side_chain.h"
 #include "core/span/fill_options.h"
 #include "core/span/fill_result.h"
@@ -11,7 +12,12 @@ namespace fairing {
 /// Everything a caller may choose about a blend.
 struct BlendOptions {
   FillOptions fill;  ///< the layout is a strip, whatever it says
+  Reach reach{1.0, 1.0};
 };
+
+/// The first thing wrong with the options, if any: ReachNotPositive or what validate() says of a
+/// fill's.
+[[nodiscard]] std::optional<Error> validate(const BlendOptions& options);
 
 /// Joins two chains of sides by one strip that leaves each of them as its sides ask and minimises
 /// the chosen energy; ends of open chains are left free, closed chains give a strip that closes

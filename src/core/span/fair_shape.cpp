@@ -158,7 +158,7 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
       program = makeProgram(plan,
                             shape.layout,
                             EnergyKind::ThinPlate,
-                            {current->points, current->points},
+                            {current->points, current->points, {}},
                             options.through);
       if (!program) return fail(program.error());
       current = solver::solve(*program);

@@ -6,6 +6,7 @@
 #include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_guidance.h"
 #include "core/constraint/constraint_set.h"
+#include "core/layout/build_layout.h"
 #include "core/span/pass_through.h"
 
 namespace fairing {
@@ -51,6 +52,18 @@ solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse
   return points;
 }
 
+layout::PatchLayout layoutOf(const layout::LayoutPlan& plan, const Patches& patches) {
+  const layout::Strips strips = layout::stripsOf(plan.mesh);
+  std::vector<spline::KnotVector> knots(static_cast<std::size_t>(strips.count));
+  for (std::size_t q = 0; q < patches.size(); ++q)
+    for (std::size_t d = 0; d < 2; ++d) {
+      const layout::StripUse use = strips.uses[q][d];
+      const spline::KnotVector own = (d == 0 ? patches[q].u : patches[q].v).mapped(0.0, 1.0);
+      knots[static_cast<std::size_t>(use.strip)] = use.reversed ? own.reversed() : own;
+    }
+  return layout::buildLayout(plan, std::move(knots));
+}
+
 Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
                                              const layout::PatchLayout& layout,
                                              EnergyKind kind,
@@ -64,6 +77,10 @@ Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
   if (aim.shape) program.load = flat(solver::Points(program.stiffness * *aim.shape));
   program.fixed = std::move(constraints->fixed);
   program.values = std::move(constraints->values);
+  for (std::size_t k = 0; k < aim.held.points.size(); ++k) {
+    program.fixed[static_cast<std::size_t>(aim.held.points[k])] = 1;
+    program.values.row(aim.held.points[k]) = aim.held.values.row(static_cast<Eigen::Index>(k));
+  }
   program.ties = std::move(constraints->ties);
   program.blocks = std::move(constraints->blocks);
   if (aim.about && !through.empty())

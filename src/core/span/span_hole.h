@@ -22,11 +22,22 @@ using Patches = std::vector<spline::BsplineSurface>;
 /// and knots that contain theirs.
 [[nodiscard]] solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse);
 
+/// The layout a plan's patches lie on.
+[[nodiscard]] layout::PatchLayout layoutOf(const layout::LayoutPlan& plan, const Patches& patches);
+
+/// Points that are to lie where they are told, row k of `values` for points[k]; they must agree
+/// with what the sides and ties ask.
+struct HeldPoints {
+  std::vector<int> points;
+  solver::Points values;
+};
+
 /// What the patches are drawn to, in points of their layout.
 struct Aim {
   std::optional<solver::Points> shape;  ///< the energy is that of the difference to it
   /// Where G2 sides and inner constraints are taken; without it sides are G1, constraints left out.
   std::optional<solver::Points> about;
+  HeldPoints held;
 };
 
 /// What the patches of a layout minimise, the quadratic energy of `kind`, and subject to what.

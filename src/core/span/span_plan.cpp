@@ -52,11 +52,9 @@ FillResult measured(const Span& span,
 // One pass on a given layout.
 Result<FillResult> fillOn(const Span& span,
                           const layout::PatchLayout& layout,
-                          const std::optional<FairShape>& shape,
+                          Aim aim,
                           const FillOptions& options) {
   Stopwatch watch;
-  Aim aim;
-  if (shape) aim.shape = pointsOn(layout, shape->patches);
   auto program = makeProgram(span.plan, layout, options.energy, aim);
   if (!program) return fail(program.error());
   auto solution = solveGuided(*program, layout, options.guidance);
@@ -99,7 +97,9 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
   for (int round = 0; round <= options.maxRefinements; ++round) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     if (best && layout.pointCount > options.maxPoles) break;
-    auto tried = fillOn(span, layout, *shape, options);
+    Aim aim;
+    if (*shape) aim.shape = pointsOn(layout, (*shape)->patches);
+    auto tried = fillOn(span, layout, std::move(aim), options);
     if (!tried) return tried;
     tried->summary.solves = round + 1;
     auto wishes = wishedKnots(span.plan, layout, tried->report, kAim);
@@ -113,6 +113,23 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
   best->summary.layoutTime = layoutTime;
   best->summary.totalTime = watch.total();
   return std::move(*best);
+}
+
+Result<FillResult> spanAgain(const Span& span,
+                             const Patches& before,
+                             const HeldPoints& held,
+                             const FillOptions& options) {
+  Stopwatch watch;
+  const layout::PatchLayout layout = layoutOf(span.plan, before);
+  Aim aim;
+  aim.shape = pointsOn(layout, before);
+  aim.held = held;
+  auto result = fillOn(span, layout, std::move(aim), options);
+  if (!result) return result;
+  result->summary.solves = 1;
+  result->report.fairness = analysis::measureFairness(result->patches);
+  result->summary.totalTime = watch.total();
+  return result;
 }
 
 }  // namespace fairing

@@ -7,6 +7,7 @@
 #include "core/layout/layout_plan.h"
 #include "core/span/fill_options.h"
 #include "core/span/fill_result.h"
+#include "core/span/span_hole.h"
 
 namespace fairing {
 
@@ -29,5 +30,13 @@ struct Span {
 [[nodiscard]] Result<FillResult> spanPlan(const Span& span,
                                           const FillOptions& options,
                                           Progress* progress);
+
+/// Patches of a plan again, on their knots, with some of their points held: the least bent
+/// displacement (in the sense of the options' quadratic energy) that does so and meets all sides.
+/// One solve, measured. Fails as spanPlan() does.
+[[nodiscard]] Result<FillResult> spanAgain(const Span& span,
+                                           const Patches& before,
+                                           const HeldPoints& held,
+                                           const FillOptions& options);
 
 }  // namespace fairing
