@@ -79,7 +79,7 @@ BlendPicks coaxialPicks(Continuity continuity = Continuity::G1) {
 }
 
 std::vector<Vector3d> pointsOf(const ShapeFill& blend) {
-  constexpr int kAlong = 40;
+  constexpr int kAlong = 16;
   std::vector<Vector3d> points;
   for (const auto& patch : blend.fill.patches)
     for (int i = 0; i <= kAlong; ++i)
@@ -253,6 +253,46 @@ TEST(BlendShape, ReachesAsFarAsAskedAndStaysTangent) {
   const auto none = blendShape(index, coaxialPicks(), {{}, {0.0, 1.0}}, ResultMode::Patches);
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().code, ErrorCode::ReachNotPositive);
+}
+
+/// A pipe of radius 5, and one of radius 9 beside its axis and tilted against it by 20 degrees.
+TopoDS_Shape tiltedPipes(double start) {
+  const double tilt = 20.0 * std::numbers::pi / 180.0;
+  const gp_Dir axis(std::sin(tilt), 0, std::cos(tilt));
+  const gp_Ax3 frame(gp_Pnt(4, 2, 8), axis, gp_Dir(std::cos(tilt), 0, -std::sin(tilt)));
+  const Handle(Geom_Surface) wide = new Geom_CylindricalSurface(frame, 9.0);
+  const Handle(Geom_Surface) narrow = new Geom_CylindricalSurface(upright(0), 5.0);
+  return compound({grid(narrow, {start, start + kRound}, {-14, -8}, {}, Joint::Loose),
+                   grid(wide, {2.0 * start, 2.0 * start + kRound}, {0, 6}, {}, Joint::Loose)});
+}
+
+/// The rims that face each other, by their middles.
+BlendPicks tiltedPicks(const TopoDS_Shape& shape, double start) {
+  const double tilt = 20.0 * std::numbers::pi / 180.0, half = 0.5 * kRound;
+  const double a = start + half, b = 2.0 * start + half;
+  const Vector3d across(std::cos(tilt), 0, -std::sin(tilt));
+  return between(
+      shape,
+      {5.0 * std::cos(a), 5.0 * std::sin(a), -8},
+      Vector3d(4, 2, 8) + 9.0 * (std::cos(b) * across + std::sin(b) * Vector3d::UnitY()));
+}
+
+TEST(BlendShape, DoesNotDependOnWhereClosedSidesStart) {
+  const TopoDS_Shape plain = tiltedPipes(0.0), moved = tiltedPipes(0.9);
+  const BlendPicks picks = tiltedPicks(plain, 0.0);
+  const ShapeFill one = blended(plain, picks);
+  EXPECT_TRUE(one.fill.report.withinTolerance);
+  const double limit = 1e-6 * one.fill.report.diagonal;
+  EXPECT_LT(apart(one, blended(moved, tiltedPicks(moved, 0.9))), limit);
+  EXPECT_LT(apart(one, blended(plain, {.from = picks.to, .to = picks.from})), limit);
+}
+
+TEST(BlendShape, ReachesWhereNothingIsSymmetric) {
+  const TopoDS_Shape shape = tiltedPipes(0.3);
+  const auto blend =
+      blendShape(ShapeIndex(shape), tiltedPicks(shape, 0.3), {{}, {1.3, 1.0}}, ResultMode::Patches);
+  ASSERT_TRUE(blend.has_value());
+  EXPECT_TRUE(blend->fill.report.withinTolerance);
 }
 
 TEST(BlendShape, RefusesWhatItCannotJoin) {

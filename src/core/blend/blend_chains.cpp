@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/blend/blend_chains.h"
 
-#include "core/layout/strip.h"
-#include "core/span/span_plan.h"
+#include "core/blend/natural_strip.h"
 
 // The pipeline (docs/ARCHITECTURE.md):
 //
@@ -24,17 +23,9 @@ Result<FillResult> blendChains(const boundary::ChainPair& pair,
                                const BlendOptions& options,
                                Progress* progress) {
   if (const auto wrong = validate(options)) return fail(*wrong);
-  boundary::ChainPair target = pair;
-  target.sides = followedLoop(pair.sides, options.fill.tolerance);
-  auto plan = layout::stripPlan(target);
-  if (!plan) return fail(plan.error());
-  analysis::LoopProbe probe = analysis::probeLoop(pair.sides, target.sides);
-  const Span span{pair.sides, std::move(target.sides), std::move(probe), std::move(*plan)};
-  auto natural = spanPlan(span, options.fill, progress);
-  if (!natural || options.reach == Reach{1.0, 1.0}) return natural;
-  const auto layout = layoutOf(span.plan, natural->patches);
-  return spanAgain(
-      span, natural->patches, heldRows(layout, natural->patches, options.reach), options.fill);
+  const auto natural = NaturalStrip::make(pair, options.fill, progress);
+  if (!natural) return fail(natural.error());
+  return options.reach == Reach{1.0, 1.0} ? natural->result() : natural->reaching(options.reach);
 }
 
 }  // namespace fairing

@@ -4,7 +4,7 @@
 namespace fairing {
 
 HeldPoints heldRows(const layout::PatchLayout& layout, const Patches& patches, const Reach& reach) {
-  const solver::Points points = pointsOn(layout, patches);
+  const solver::Points points = pointsOf(layout, patches);
   const layout::LayoutPatch& patch = layout.patches.front();
   HeldPoints held;
   std::vector<Eigen::RowVector3d> values;

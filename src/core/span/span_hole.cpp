@@ -38,6 +38,14 @@ Patches makePatches(const layout::PatchLayout& layout, const solver::Points& poi
   return patches;
 }
 
+solver::Points pointsOf(const layout::PatchLayout& layout, const Patches& patches) {
+  solver::Points points(layout.pointCount, 3);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (std::size_t k = 0; k < layout.patches[p].points.size(); ++k)
+      points.row(layout.patches[p].points[k]) = patches[p].poles.row(static_cast<Eigen::Index>(k));
+  return points;
+}
+
 solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse) {
   solver::Points points(layout.pointCount, 3);
   for (std::size_t p = 0; p < coarse.size(); ++p) {

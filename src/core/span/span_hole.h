@@ -18,6 +18,9 @@ using Patches = std::vector<spline::BsplineSurface>;
 /// The patches of a layout from its points.
 [[nodiscard]] Patches makePatches(const layout::PatchLayout& layout, const solver::Points& points);
 
+/// The points of a layout from its patches: undoes makePatches().
+[[nodiscard]] solver::Points pointsOf(const layout::PatchLayout& layout, const Patches& patches);
+
 /// Patches written in the points of a finer layout of the same plan: same degrees or higher ones,
 /// and knots that contain theirs.
 [[nodiscard]] solver::Points pointsOn(const layout::PatchLayout& layout, const Patches& coarse);

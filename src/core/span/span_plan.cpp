@@ -122,7 +122,7 @@ Result<FillResult> spanAgain(const Span& span,
   Stopwatch watch;
   const layout::PatchLayout layout = layoutOf(span.plan, before);
   Aim aim;
-  aim.shape = pointsOn(layout, before);
+  aim.shape = pointsOf(layout, before);
   aim.held = held;
   auto result = fillOn(span, layout, std::move(aim), options);
   if (!result) return result;

@@ -14,7 +14,7 @@ namespace fairing {
 /// What is to be spanned: the sides as they are, which the result is measured against, and the way
 /// they are to be spanned.
 struct Span {
-  const boundary::BoundaryLoop& loop;
+  boundary::BoundaryLoop loop;
   boundary::BoundaryLoop target;  ///< followedLoop() of it
   analysis::LoopProbe probe;      ///< of loop and target
   layout::LayoutPlan plan;        ///< made for target

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/blend/reach.h"
+#include "core/boundary/side_chain.h"
+#include "core/span/fill_options.h"
+#include "core/span/fill_result.h"
+#include "core/span/span_plan.h"
+
+namespace fairing {
+
+/// A strip as its energy likes it best, kept so that its sides can be made to reach farther at the
+/// cost of one solve: for previews that follow a slider.
+class NaturalStrip {
+ public:
+  /// Fails as spanPlan() and the strip's plan do.
+  [[nodiscard]] static Result<NaturalStrip> make(const boundary::ChainPair& pair,
+                                                 const FillOptions& options,
+                                                 Progress* progress = nullptr);
+
+  [[nodiscard]] const FillResult& result() const { return result_; }
+  /// The strip with both sides' reach scaled, measured.
+  [[nodiscard]] Result<FillResult> reaching(const Reach& reach) const;
+
+ private:
+  NaturalStrip(Span span, FillOptions options, FillResult result);
+
+  Span span_;
+  FillOptions options_;
+  FillResult result_;
+};
+
+}  // namespace fairing
