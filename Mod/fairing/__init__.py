@@ -1,23 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fairing: fills holes with fair B-spline faces that meet their neighbours smoothly.
+"""Fairing: fills holes and joins edges with fair B-spline faces that meet their neighbours smoothly.
 
     shape, report = fairing.fill(base.Shape, edges=["Edge3"])     shapes only, no document
     shape, reports = fairing.fill_all(base.Shape)                 every hole of a shape
     obj = fairing.make_fill(base, ["Edge3"], continuity="G1")     a parametric document object
     fairing.change_fill(obj, energy="membrane")                   with other choices
     obj = fairing.make_fill_all(base)                             one for every hole of another object
+    shape, report = fairing.blend(base.Shape, ["Edge1"], ["Edge4"])       joins two edges, or two chains of them
+    obj = fairing.make_blend((base, ["Edge1"]), (other, ["Edge3"]))       the same as a parametric document object
+    fairing.change_blend(obj, continuity="G2")                    with other choices
     fairing.holes(base.Shape)                                     the loops of free edges
 
 Lengths are in mm, angles in degrees. What cannot be done raises fairing.FairingError, whose text is one sentence.
 """
 
-from .api import fill, fill_all, holes, report
+from .api import blend, fill, fill_all, holes, report
+from .features.blend_feature import change_blend, make_blend
 from .features.fill_all_feature import change_fill_all, make_fill_all
 from .features.fill_feature import change_fill, make_fill
 from .native import NativeModuleError
 
-__all__ = ["FairingError", "NativeModuleError", "change_fill", "change_fill_all", "fill", "fill_all", "holes",
-           "make_fill", "make_fill_all", "report"]
+__all__ = ["FairingError", "NativeModuleError", "blend", "change_blend", "change_fill", "change_fill_all", "fill",
+           "fill_all", "holes", "make_blend", "make_fill", "make_fill_all", "report"]
 
 
 def __getattr__(name):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fairing's native module: holes of shapes filled with B-spline faces. Lengths in mm, angles in degrees."""
+"""Fairing's native module: holes of shapes filled and edges joined with B-spline faces. Lengths in mm, angles in degrees."""
 
 from typing import Any, Collection, Mapping, Optional, Sequence, Union
 
@@ -117,6 +117,23 @@ class Shape:
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> FillAll: ...
+    def chains(self, edges: Sequence[int]) -> list[list[int]]: ...
+    def blend(
+        self,
+        from_edges: Sequence[int],
+        to_edges: Sequence[int],
+        continuity: str = "G1",
+        edge_continuity: Optional[Mapping[int, str]] = None,
+        from_reach: float = 1.0,
+        to_reach: float = 1.0,
+        energy: str = "mean-curvature-gradient",
+        tolerance: Optional[float] = None,
+        angle: float = 0.02,
+        degree: int = 0,
+        max_poles: int = 2500,
+        result: str = "patches",
+        progress: Optional[Progress] = None,
+    ) -> Fill: ...
     def measure(
         self,
         patches: Shape,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Filling shapes from a script, without a document."""
+"""Filling and joining shapes from a script, without a document."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any, Iterable, Mapping, Optional
 import Part
 
 from . import exchange, native, subelements
+from .blend_request import BlendRequest
 from .choices import triple
 from .fill_all_request import FillAllRequest
 from .fill_request import FillRequest
@@ -52,6 +53,25 @@ def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
     reports = [dict(hole.fill.report if hole.fill else {"error": hole.error},
                     edges=[f"Edge{number}" for number in hole.edges]) for hole in done.holes]
     return exchange.part_shape(done.brep()), reports
+
+
+def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: Iterable[subelements.Pick], *,
+          continuity: str = "G1", edge_continuity: Optional[Mapping[Any, str]] = None,
+          **options) -> tuple[Part.Shape, dict]:
+    """Joins two chains of free edges of a shape by one strip. Returns the new face and the report on it.
+
+    from_edges       edges the strip starts from, "Edge7" or 7: one of a smooth chain is enough
+    to_edges         edges it ends at; both chains are open, or both are closed
+    continuity       "G2" meets the faces beside the edges in curvature, "G1" tangentially, "G0" only touches them
+    edge_continuity  edges that differ, {"Edge7": "G0"}
+    options          from_reach, to_reach (above 0: how far the strip goes on before it turns away, 1 = what the energy
+                     likes best), energy, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles, result
+                     ("patches", "shell" or "base"): see blend_request.BlendRequest
+    Raises FairingError with one sentence where that cannot be done.
+    """
+    request = BlendRequest.of(from_edges, to_edges, edge_continuity, continuity=continuity, **options)
+    done = request.solve(exchange.data_of(shape))
+    return exchange.part_shape(done.brep()), done.report
 
 
 def holes(shape: Part.Shape, *, outer_borders: bool = False) -> list[list[str]]:

@@ -36,6 +36,16 @@ def current_picks() -> Optional[Picks]:
     return Picks(selected[0].Object, names) if all_edges or one_face else None
 
 
+def current_edges() -> list[tuple[App.DocumentObject, list[str]]]:
+    """The edges a blend can start from, object by object in the order of selection; empty where something else, or
+    fewer than two, are selected."""
+    picks = [(item.Object, [subelements.local_name(name) for name in item.SubElementNames])
+             for item in Gui.Selection.getSelectionEx()]
+    if not all(names and has_shape(obj) and all(map(subelements.is_edge, names)) for obj, names in picks):
+        return []
+    return picks if sum(len(names) for _, names in picks) >= 2 else []
+
+
 def current_base() -> Optional[App.DocumentObject]:
     """The one object that is selected, as a whole or in part; with nothing selected, the only visible one with a
     shape. None otherwise."""
@@ -64,7 +74,7 @@ class EdgeGate:
     def allow(self, document: App.Document, obj: App.DocumentObject, sub: str) -> bool:
         reason = self._reason(obj, subelements.local_name(sub or ""))
         if reason:
-            _show_soon(reason)
+            tell(reason)
         return not reason
 
     def _reason(self, obj: App.DocumentObject, name: str) -> str:
@@ -78,8 +88,8 @@ class EdgeGate:
         return ""
 
 
-def _show_soon(text: str) -> None:
-    """In the status bar, after FreeCAD has written its own general message there."""
+def tell(text: str) -> None:
+    """Shows a hint in the status bar, after FreeCAD has written its own general message there."""
     from PySide import QtCore
 
     QtCore.QTimer.singleShot(0, lambda: Gui.getMainWindow().statusBar().showMessage(text, 5000))

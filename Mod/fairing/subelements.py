@@ -13,6 +13,15 @@ def edge_numbers(picks: Iterable[Pick]) -> tuple[int, ...]:
     return tuple(_number(pick, "Edge") for pick in picks if isinstance(pick, int) or is_edge(pick))
 
 
+def only_edges(picks: Union[Pick, Iterable[Pick]]) -> tuple[int, ...]:
+    """Numbers of one pick or several, all of them edges. Raises ValueError with the first that is none."""
+    picks = [picks] if isinstance(picks, (str, int)) else list(picks)
+    for pick in picks:
+        if not isinstance(pick, int) and not is_edge(pick):
+            raise ValueError(f"{pick!r} is not an edge (Edge7)")
+    return edge_numbers(picks)
+
+
 def face_numbers(picks: Iterable[Pick]) -> tuple[int, ...]:
     """Numbers of the faces among picks."""
     return tuple(_number(pick, "Face") for pick in picks if not isinstance(pick, int) and is_face(pick))

@@ -10,7 +10,7 @@ TITLE = "Fairing"
 
 
 def tooltip() -> str:
-    return translate("Workbench", "Fill holes with surfaces that meet their neighbours smoothly")
+    return translate("Workbench", "Fill holes and join edges with surfaces that meet their neighbours smoothly")
 
 
 def icon(name: str) -> str:
@@ -19,12 +19,13 @@ def icon(name: str) -> str:
 
 def register_commands() -> list[str]:
     """Names of the commands in the order of the toolbar."""
+    from .commands.blend_faces import BlendFacesCommand
     from .commands.fill_all_holes import FillAllHolesCommand
     from .commands.fill_hole import FillHoleCommand
     from .commands.reconnect import ReconnectCommand
     import FreeCADGui as Gui
 
-    commands = [FillHoleCommand(), FillAllHolesCommand(), ReconnectCommand()]
+    commands = [FillHoleCommand(), FillAllHolesCommand(), BlendFacesCommand(), ReconnectCommand()]
     # The macro recorder writes `import <file that added the command>` into every macro: let that be the package.
     add = compile("add(command.NAME, command)", "fairing.py", "exec")
     for command in commands:

@@ -145,6 +145,153 @@
   </message>
  </context>
  <context>
+  <name>FairingBlendPanel</name>
+  <message>
+   <source>Blend Faces</source>
+   <translation>Flächen überblenden</translation>
+  </message>
+  <message>
+   <source>Sides</source>
+   <translation>Seiten</translation>
+  </message>
+  <message>
+   <source>Pick an edge the surface starts from in the 3D view, then the edge it ends at.</source>
+   <translation>In der 3D-Ansicht eine Kante anklicken, an der die Fläche beginnt, dann die, an der sie endet.</translation>
+  </message>
+  <message>
+   <source>Starts from</source>
+   <translation>Beginnt an</translation>
+  </message>
+  <message>
+   <source>Edges picked now belong to the side the surface starts from</source>
+   <translation>Kanten, die jetzt gewählt werden, gehören zu der Seite, an der die Fläche beginnt</translation>
+  </message>
+  <message>
+   <source>The picked edges of this side; edges that continue them smoothly belong to it, too. Meets: G2 meets the neighbouring face in curvature, G1 tangentially, G0 only touches the edge. The numbers are the largest ones measured along the edge.</source>
+   <translation>Die gewählten Kanten dieser Seite; Kanten, die sie glatt fortsetzen, gehören auch zu ihr. G2 schließt in der Krümmung an die Nachbarfläche an, G1 tangential, G0 berührt nur die Kante. Die Zahlen sind die größten, die entlang der Kante gemessen wurden.</translation>
+  </message>
+  <message>
+   <source>Edge</source>
+   <translation>Kante</translation>
+  </message>
+  <message>
+   <source>The edge; the sign tells whether it is met within the tolerances</source>
+   <translation>Die Kante; das Zeichen sagt, ob sie innerhalb der Toleranzen getroffen wird</translation>
+  </message>
+  <message>
+   <source>Face</source>
+   <translation>Fläche</translation>
+  </message>
+  <message>
+   <source>The neighbouring face</source>
+   <translation>Die Nachbarfläche</translation>
+  </message>
+  <message>
+   <source>Meets</source>
+   <translation>Anschluss</translation>
+  </message>
+  <message>
+   <source>How the surface meets the neighbouring face</source>
+   <translation>Wie die Fläche an die Nachbarfläche anschließt</translation>
+  </message>
+  <message>
+   <source>Gap</source>
+   <translation>Abstand</translation>
+  </message>
+  <message>
+   <source>Largest distance of the edge from the surface</source>
+   <translation>Größter Abstand der Kante von der Fläche</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Winkel</translation>
+  </message>
+  <message>
+   <source>Largest angle between the surface and the neighbouring face, in degrees</source>
+   <translation>Größter Winkel zwischen der Fläche und der Nachbarfläche, in Grad</translation>
+  </message>
+  <message>
+   <source>Curv.</source>
+   <translation>Krümm.</translation>
+  </message>
+  <message>
+   <source>Largest relative difference between the curvatures of the surface and of the neighbouring face across the edge</source>
+   <translation>Größter relativer Unterschied zwischen den Krümmungen der Fläche und der Nachbarfläche quer zur Kante</translation>
+  </message>
+  <message>
+   <source>Ends at</source>
+   <translation>Endet an</translation>
+  </message>
+  <message>
+   <source>Edges picked now belong to the side the surface ends at</source>
+   <translation>Kanten, die jetzt gewählt werden, gehören zu der Seite, an der die Fläche endet</translation>
+  </message>
+  <message>
+   <source>All G2</source>
+   <translation>Alle G2</translation>
+  </message>
+  <message>
+   <source>Meet every neighbouring face in curvature</source>
+   <translation>An jede Nachbarfläche in der Krümmung anschließen</translation>
+  </message>
+  <message>
+   <source>All G1</source>
+   <translation>Alle G1</translation>
+  </message>
+  <message>
+   <source>Meet every neighbouring face tangentially</source>
+   <translation>An jede Nachbarfläche tangential anschließen</translation>
+  </message>
+  <message>
+   <source>All G0</source>
+   <translation>Alle G0</translation>
+  </message>
+  <message>
+   <source>Only touch every edge</source>
+   <translation>Jede Kante nur berühren</translation>
+  </message>
+  <message>
+   <source>Pick anew</source>
+   <translation>Neu wählen</translation>
+  </message>
+  <message>
+   <source>Forget the edges of both sides</source>
+   <translation>Die Kanten beider Seiten vergessen</translation>
+  </message>
+  <message>
+   <source>Whether the surface meets its neighbours within the tolerances, as measured</source>
+   <translation>Ob die Fläche innerhalb der Toleranzen an ihre Nachbarn anschließt, wie gemessen</translation>
+  </message>
+  <message>
+   <source>Preview</source>
+   <translation>Vorschau</translation>
+  </message>
+  <message>
+   <source>Compute and show the surface whenever something changes</source>
+   <translation>Die Fläche nach jeder Änderung berechnen und zeigen</translation>
+  </message>
+  <message>
+   <source>Labels</source>
+   <translation>Schilder</translation>
+  </message>
+  <message>
+   <source>Show at each edge in the 3D view how the surface meets it</source>
+   <translation>In der 3D-Ansicht an jeder Kante zeigen, wie die Fläche sie trifft</translation>
+  </message>
+  <message>
+   <source>The surface is being computed</source>
+   <translation>Die Fläche wird berechnet</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Halt</translation>
+  </message>
+  <message>
+   <source>Stop computing</source>
+   <translation>Die Berechnung anhalten</translation>
+  </message>
+ </context>
+ <context>
   <name>FairingFillPanel</name>
   <message>
    <source>Fill Hole</source>
@@ -608,8 +755,8 @@
  <context>
   <name>Workbench</name>
   <message>
-   <source>Fill holes with surfaces that meet their neighbours smoothly</source>
-   <translation>Löcher mit Flächen füllen, die glatt an ihre Nachbarn anschließen</translation>
+   <source>Fill holes and join edges with surfaces that meet their neighbours smoothly</source>
+   <translation>Löcher füllen und Kanten verbinden, mit Flächen, die glatt an ihre Nachbarn anschließen</translation>
   </message>
  </context>
  <context>
@@ -625,6 +772,10 @@
   <message>
    <source>Pick an edge of the hole, or the face to be replaced.</source>
    <translation>Eine Kante des Lochs anklicken oder die Fläche, die ersetzt werden soll.</translation>
+  </message>
+  <message>
+   <source>Pick an edge: a blend starts from edges and ends at edges.</source>
+   <translation>Eine Kante wählen: Eine Überblendung beginnt an Kanten und endet an Kanten.</translation>
   </message>
   <message>
    <source>Fairing cannot work</source>
@@ -713,6 +864,21 @@
   <message>
    <source>Pick guiding faces</source>
    <translation>Führende Flächen wählen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Fairing_BlendFaces</name>
+  <message>
+   <source>Blend Faces</source>
+   <translation>Flächen überblenden</translation>
+  </message>
+  <message>
+   <source>Join two edges with a surface that leaves the faces beside them smoothly: select the edge it starts from, then the edge it ends at</source>
+   <translation>Zwei Kanten mit einer Fläche verbinden, die glatt an die Flächen daneben anschließt: die Kante wählen, an der sie beginnt, dann die, an der sie endet</translation>
+  </message>
+  <message>
+   <source>The edges cannot be joined</source>
+   <translation>Die Kanten lassen sich nicht verbinden</translation>
   </message>
  </context>
  <context>

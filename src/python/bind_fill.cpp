@@ -44,7 +44,8 @@ py::tuple mesh(const ShapeFill& fill, int divisions) {
 }  // namespace
 
 void bindFill(py::module_& module) {
-  py::class_<ShapeFill>(module, "Fill", "A filled hole: faces and what was measured on them.")
+  py::class_<ShapeFill>(
+      module, "Fill", "A filled hole or a blend: faces and what was measured on them.")
       .def("brep", &brep, "The result as BREP text: faces, shell or base, as asked for.")
       .def("mesh",
            &mesh,

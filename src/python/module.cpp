@@ -5,7 +5,8 @@
 
 PYBIND11_MODULE(_fairing, module) {
   module.doc() =
-      "Fairing's native module: holes of shapes filled with B-spline faces. Lengths in mm, angles "
+      "Fairing's native module: holes of shapes filled and edges joined with B-spline faces. "
+      "Lengths in mm, angles "
       "in degrees.";
   module.attr("__version__") = FAIRING_VERSION;
   module.attr("occt_version") = OCC_VERSION_COMPLETE;

@@ -263,12 +263,51 @@ def test_refuses_loops_it_cannot_fill(sheet, tmp_path):
     assert not out.exists()
 
 
-def test_says_that_blending_is_not_there_yet(sheet, tmp_path):
-    assert "not available yet" in refused("blend", sheet[0], "-o", tmp_path / "out.brep", "--from", 3, "--to", 6)
+@pytest.fixture(scope="module")
+def two_planes(tmp_path_factory):
+    """A file with two rectangles, and the numbers of the edges that face each other."""
+    shape = Part.Compound([Part.makePlane(20, 10), Part.makePlane(20, 10, Vector(0, 20, 8))])
+    path = tmp_path_factory.mktemp("planes") / "planes.brep"
+    shape.exportBrep(str(path))
+    return path, edge_at(shape, (10, 10)), edge_at(shape, (10, 20))
+
+
+def test_blends_two_edges_and_says_how_well(two_planes, tmp_path):
+    path, start, end = two_planes
+    out, report = tmp_path / "out.brep", tmp_path / "report.json"
+    done = run("blend", path, "-o", out, "--from", start, "--to", f"Edge{end}", "--report", report)
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    assert done.stdout.startswith("Meets all 2 edges: tangent within ")
+    numbers = json.loads(report.read_text())
+    assert numbers["within_tolerance"] is True and numbers["blend"]["layout"] == "strip"
+    assert sorted(side["edge"] for side in numbers["blend"]["sides"]) == sorted([start, end])
+    face = read(out)
+    assert face.isValid() and len(face.Faces) == 1
+    grouped = tmp_path / "grouped.brep"
+    assert run("blend", path, "-o", grouped, "--edges", f"{start},{end}").returncode == 0
+    assert grouped.read_bytes() == out.read_bytes()
+
+
+def test_blends_into_the_base(two_planes, tmp_path):
+    path, start, end = two_planes
+    done = run("blend", path, "-o", tmp_path / "base.brep", "--from", start, "--to", end, "--continuity", "G2",
+               "--result", "base")
+    assert done.returncode == 0, done.stderr
+    base = read(tmp_path / "base.brep")
+    assert base.isValid() and len(base.Faces) == 3
+
+
+def test_refuses_blends_that_make_no_sense(two_planes, tmp_path):
+    path, start, end = two_planes
+    out = tmp_path / "out.brep"
+    assert f"Edge {start} is picked for both sides" in refused("blend", path, "-o", out, "--from", start, "--to", start)
+    assert 'No edge is picked for the side "to"' in refused("blend", path, "-o", out, "--from", start)
+    assert "There is no edge 999" in refused("blend", path, "-o", out, "--from", 999, "--to", end)
+    assert not out.exists()
 
 
 def test_explains_itself():
-    for arguments in (["--help"], ["fill", "--help"], ["report", "--help"]):
+    for arguments in (["--help"], ["fill", "--help"], ["blend", "--help"], ["report", "--help"]):
         done = run(*arguments)
         assert done.returncode == 0 and "SHAPE" in done.stdout or "fill" in done.stdout
     assert run("--version").stdout.startswith("fairing ")

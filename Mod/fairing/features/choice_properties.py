@@ -36,7 +36,13 @@ CHOSEN = (
     ("ResultMode", "App::PropertyEnumeration", "Result",
      "patches: the new faces; shell: sewn to one another; base: sewn into the base, a solid where that closes it"),
 )
+_BY_NAME = {item[0]: item for item in CHOSEN}
 WORDS = {"Continuity": CONTINUITIES, "Layout": LAYOUTS, "Energy": ENERGIES, "ResultMode": RESULTS}
+
+
+def chosen(*names: str) -> tuple:
+    """Some of the properties in CHOSEN, for objects that do not have them all."""
+    return tuple(_BY_NAME[name] for name in names)
 
 
 def add(obj: App.DocumentObject, asked, measured, defaults: dict) -> None:
@@ -83,21 +89,21 @@ def read(obj: App.DocumentObject) -> dict:
     """What an object's properties choose, as arguments of a request's of(). Raises ValueError with one sentence."""
     reference = shape_in(container_of(obj), *obj.Reference) if obj.Reference else None
     directions = {"tangent": {}, "symmetry": {}}
-    for edge, wish in _wishes(obj, "EdgeDirections", "Edge7=tangent 0 0 1"):
+    for edge, wish in wishes(obj, "EdgeDirections", "Edge7=tangent 0 0 1"):
         word, *numbers = wish.replace(",", " ").split() or [""]
         if word not in directions or len(numbers) != 3 or not all(map(_is_number, numbers)):
             raise ValueError(f"EdgeDirections holds '{edge}={wish}': write such as Edge7=tangent 0 0 1")
         directions[word][edge] = tuple(map(float, numbers))
     return dict(
-        edge_continuity=dict(_wishes(obj, "EdgeContinuity", "Edge7=G0")), tangents=directions["tangent"],
+        edge_continuity=dict(wishes(obj, "EdgeContinuity", "Edge7=G0")), tangents=directions["tangent"],
         symmetry=directions["symmetry"], continuity=obj.Continuity, layout=obj.Layout, energy=obj.Energy,
         lambda_=obj.Lambda, gamma=obj.Gamma, reference=exchange.data_of(reference) if reference else None,
         gap_tolerance=obj.GapTolerance.Value or None, angle_tolerance=obj.AngleTolerance.Value, degree=obj.Degree,
         max_poles=obj.MaxPoles, result=obj.ResultMode)
 
 
-def _wishes(obj: App.DocumentObject, name: str, sample: str):
-    """The lines "Edge7=..." of a property, as pairs."""
+def wishes(obj: App.DocumentObject, name: str, sample: str):
+    """The lines "Edge7=..." of a property, as pairs. Raises ValueError with a line that is none."""
     for line in getattr(obj, name):
         edge, _, wish = (part.strip() for part in line.partition("="))
         if not subelements.is_edge(edge):

@@ -62,6 +62,13 @@ def read_request(obj: App.DocumentObject) -> FillRequest:
 
 def write_report(obj: App.DocumentObject, fill) -> None:
     """Stores what was measured."""
+    write_measured(obj, fill)
+    obj.LargestInnerGap = fill.report["largest_inner_gap"]
+    obj.LayoutUsed = fill.report["layout"]
+
+
+def write_measured(obj: App.DocumentObject, fill) -> None:
+    """The part of it that any surface between edges has."""
     report = fill.report
     sides = report["sides"]
     obj.Verdict = fill.verdict
@@ -71,8 +78,6 @@ def write_report(obj: App.DocumentObject, fill) -> None:
     obj.LargestCornerAngle = report["largest_corner_angle"]
     obj.LargestCurvature = report["largest_curvature"]
     obj.LargestSeamAngle = report["largest_seam_angle"]
-    obj.LargestInnerGap = report["largest_inner_gap"]
-    obj.LayoutUsed = report["layout"]
     obj.Notes = [note["text"] for note in report["notes"]]
     obj.ReportEdges = [f"Edge{side['edge']}" for side in sides]
     obj.EdgeGaps = [side["gap"]["max"] for side in sides]

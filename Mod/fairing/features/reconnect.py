@@ -7,10 +7,11 @@ from __future__ import annotations
 import FreeCAD as App
 
 from .. import migrate
+from .blend_feature import BlendFeature
 from .fill_all_feature import FillAllFeature
 from .fill_feature import FillFeature
 
-FEATURES = {feature.TYPE: feature for feature in (FillFeature, FillAllFeature)}
+FEATURES = {feature.TYPE: feature for feature in (FillFeature, FillAllFeature, BlendFeature)}
 
 
 def dead_objects(document: App.Document) -> list[App.DocumentObject]:
@@ -41,10 +42,12 @@ def _lives(proxy) -> bool:
 
 def _reconnect_view(obj: App.DocumentObject) -> None:
     if App.GuiUp and not _lives(obj.ViewObject.Proxy):
+        from ..views.blend_view import BlendView
         from ..views.fill_all_view import FillAllView
         from ..views.fill_view import FillView
 
-        view = {FillFeature.TYPE: FillView, FillAllFeature.TYPE: FillAllView}[migrate.kind_of(obj)]
+        view = {FillFeature.TYPE: FillView, FillAllFeature.TYPE: FillAllView,
+                BlendFeature.TYPE: BlendView}[migrate.kind_of(obj)]
         view.attach_to(obj.ViewObject)
 
 

@@ -84,7 +84,7 @@ class BoundaryTable(QtCore.QObject):
         self._rows = {side["edge"]: row for row, side in enumerate(loop)}
         self._combos = {}
         for row, side in enumerate(loop):
-            self._set(row, EDGE, str(side["edge"]))
+            self._set(row, EDGE, side.get("name") or str(side["edge"]))
             self._set(row, FACE, str(side["face"]) if side["face"] else "\u2013")
             self._set(row, GAP, "")
             self._set(row, ANGLE, "")

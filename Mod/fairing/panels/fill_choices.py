@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lower half of the fill panel: energy, guide, result and limits."""
+"""The lower half of the panels: layout and guide where there are any, energy, result and limits."""
 
 from __future__ import annotations
 
@@ -16,22 +16,88 @@ ANGLE_STEP = 0.01  # degrees, of the arrows beside the number
 TYPING_PAUSE = 250  # ms without a key before a typed number counts
 
 
-class FillChoices(QtCore.QObject):
-    """Shows the choices of a session (of one hole or of all) and writes the user's into it. Emits changed()."""
+class LimitChoices(QtCore.QObject):
+    """Shows the choices of a session that any surface has, energy, result and limits, and writes the user's into it;
+    the rest of the form is hidden. Emits changed()."""
 
     changed = QtCore.Signal()
+    HIDDEN = ("layoutLabel", "layoutCombo", "guideLabel", "guideButton", "guideClearButton", "lambdaLabel",
+              "lambdaSlider", "lambdaSpin", "gammaLabel", "gammaSlider", "gammaSpin")
 
     def __init__(self, ui, session):
         super().__init__(ui)
         self._ui, self._session = ui, session
-        self._lambda = WeightSlider(ui.lambdaSlider, ui.lambdaSpin, session.request.lambda_)
-        self._gamma = WeightSlider(ui.gammaSlider, ui.gammaSpin, session.request.gamma)
         self._pause = QtCore.QTimer(self)
         self._pause.setSingleShot(True)
         self._pause.setInterval(TYPING_PAUSE)
         self._pause.timeout.connect(self._read)
+        for name in self.HIDDEN:
+            getattr(ui, name).setVisible(False)
         self._show()
         self._connect()
+
+    def show_limits(self, limits: dict) -> None:
+        """What an automatic limit came to."""
+        if self._ui.gapAutoCheck.isChecked():
+            self._ui.gapSpin.blockSignals(True)
+            show_quantity(self._ui.gapSpin, limits["gap"], App.Units.Length, figures=3)
+            self._ui.gapSpin.blockSignals(False)
+
+    def _show(self) -> None:
+        ui, request = self._ui, self._session.request
+        ui.energyCombo.setCurrentIndex(ENERGIES.index(request.energy))
+        ui.resultCombo.setCurrentIndex(RESULTS.index(request.result))
+        ui.angleSpin.setProperty("singleStep", ANGLE_STEP)
+        show_quantity(ui.angleSpin, request.angle_tolerance, App.Units.Angle)
+        ui.gapAutoCheck.setChecked(request.gap_tolerance is None)
+        show_quantity(ui.gapSpin, request.gap_tolerance or 0.0, App.Units.Length)
+        ui.degreeSpin.setValue(request.degree or ui.degreeSpin.minimum())
+        ui.polesSpin.setValue(request.max_poles)
+        self._show_hints()
+
+    def _connect(self) -> None:
+        ui = self._ui
+        for combo in (ui.energyCombo, ui.resultCombo):
+            combo.currentIndexChanged.connect(self._read)
+        ui.gapAutoCheck.toggled.connect(self._read)
+        for widget in (ui.degreeSpin, ui.polesSpin, ui.gapSpin, ui.angleSpin):
+            widget.valueChanged.connect(lambda *_: self._pause.start())
+
+    def _read(self, *_) -> None:
+        self._session.change(**self._chosen())
+        self._show_hints()
+        self.changed.emit()
+
+    def _chosen(self) -> dict:
+        """What the form shows, by the names of the session's request."""
+        ui = self._ui
+        degree = ui.degreeSpin.value()
+        return dict(
+            energy=ENERGIES[ui.energyCombo.currentIndex()], result=RESULTS[ui.resultCombo.currentIndex()],
+            gap_tolerance=None if ui.gapAutoCheck.isChecked() else ui.gapSpin.property("rawValue"),
+            angle_tolerance=ui.angleSpin.property("rawValue"),
+            degree=0 if degree == ui.degreeSpin.minimum() else degree, max_poles=ui.polesSpin.value())
+
+    def _show_hints(self, *_) -> None:
+        """What depends on other choices: sentences, labels, what is enabled."""
+        ui = self._ui
+        ui.energyHint.setText((
+            translate("Fairing", "Bends as little as possible."),
+            translate("Fairing", "Stretches as little as possible."),
+            translate("Fairing", "Changes its curvature as little as possible: the fairest, and the slowest."),
+        )[ui.energyCombo.currentIndex()])
+        ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
+
+
+class FillChoices(LimitChoices):
+    """Those of a fill (of one hole or of all): also the layout and the guide."""
+
+    HIDDEN = ()
+
+    def __init__(self, ui, session):
+        self._lambda = WeightSlider(ui.lambdaSlider, ui.lambdaSpin, session.request.lambda_)
+        self._gamma = WeightSlider(ui.gammaSlider, ui.gammaSpin, session.request.gamma)
+        super().__init__(ui, session)
 
     @property
     def is_picking_guide(self) -> bool:
@@ -45,55 +111,27 @@ class FillChoices(QtCore.QObject):
         names = list(kept[1]) if kept and kept[0] is obj else []
         self._set_guide((obj, names + [name] if name not in names else names))
 
-    def show_limits(self, limits: dict) -> None:
-        """What an automatic limit came to."""
-        if self._ui.gapAutoCheck.isChecked():
-            self._ui.gapSpin.blockSignals(True)
-            show_quantity(self._ui.gapSpin, limits["gap"], App.Units.Length, figures=3)
-            self._ui.gapSpin.blockSignals(False)
-
     def show_layout(self, used: str) -> None:
         """What the automatic choice came to, beside its name; empty while that is not known."""
         auto = translate("Fairing", "Automatic")
         self._ui.layoutCombo.setItemText(0, f"{auto}: {used}" if used else auto)
 
     def _show(self) -> None:
-        ui, request = self._ui, self._session.request
-        ui.layoutCombo.setCurrentIndex(LAYOUTS.index(request.layout))
-        ui.energyCombo.setCurrentIndex(ENERGIES.index(request.energy))
-        ui.resultCombo.setCurrentIndex(RESULTS.index(request.result))
-        ui.angleSpin.setProperty("singleStep", ANGLE_STEP)
-        show_quantity(ui.angleSpin, request.angle_tolerance, App.Units.Angle)
-        ui.gapAutoCheck.setChecked(request.gap_tolerance is None)
-        show_quantity(ui.gapSpin, request.gap_tolerance or 0.0, App.Units.Length)
-        ui.degreeSpin.setValue(request.degree or ui.degreeSpin.minimum())
-        ui.polesSpin.setValue(request.max_poles)
-        self._show_hints()
+        self._ui.layoutCombo.setCurrentIndex(LAYOUTS.index(self._session.request.layout))
+        super()._show()
 
     def _connect(self) -> None:
+        super()._connect()
         ui = self._ui
-        for combo in (ui.layoutCombo, ui.energyCombo, ui.resultCombo):
-            combo.currentIndexChanged.connect(self._read)
-        ui.gapAutoCheck.toggled.connect(self._read)
-        for widget in (ui.degreeSpin, ui.polesSpin, ui.gapSpin, ui.angleSpin):
-            widget.valueChanged.connect(lambda *_: self._pause.start())
+        ui.layoutCombo.currentIndexChanged.connect(self._read)
         self._lambda.changed.connect(self._read)
         self._gamma.changed.connect(self._read)
         ui.guideButton.toggled.connect(self._show_hints)
         ui.guideClearButton.clicked.connect(lambda: self._set_guide(None))
 
-    def _read(self, *_) -> None:
-        ui = self._ui
-        degree = ui.degreeSpin.value()
-        self._session.change(
-            layout=LAYOUTS[ui.layoutCombo.currentIndex()], energy=ENERGIES[ui.energyCombo.currentIndex()],
-            result=RESULTS[ui.resultCombo.currentIndex()],
-            lambda_=self._lambda.value(), gamma=self._gamma.value(),
-            gap_tolerance=None if ui.gapAutoCheck.isChecked() else ui.gapSpin.property("rawValue"),
-            angle_tolerance=ui.angleSpin.property("rawValue"),
-            degree=0 if degree == ui.degreeSpin.minimum() else degree, max_poles=ui.polesSpin.value())
-        self._show_hints()
-        self.changed.emit()
+    def _chosen(self) -> dict:
+        return dict(super()._chosen(), layout=LAYOUTS[self._ui.layoutCombo.currentIndex()],
+                    lambda_=self._lambda.value(), gamma=self._gamma.value())
 
     def _set_guide(self, reference) -> None:
         self._session.set_reference(reference)
@@ -102,14 +140,8 @@ class FillChoices(QtCore.QObject):
         self.changed.emit()
 
     def _show_hints(self, *_) -> None:
-        """What depends on other choices: sentences, labels, what is enabled."""
+        super()._show_hints()
         ui, reference = self._ui, self._session.reference
-        ui.energyHint.setText((
-            translate("Fairing", "Bends as little as possible."),
-            translate("Fairing", "Stretches as little as possible."),
-            translate("Fairing", "Changes its curvature as little as possible: the fairest, and the slowest."),
-        )[ui.energyCombo.currentIndex()])
-        ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
         ui.guideButton.setText(
             translate("Fairing", "Pick faces in the 3D view") if self.is_picking_guide
             else _guide_text(reference) if reference else translate("Fairing", "Pick guiding faces"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Telling the user why a panel cannot open."""
+"""Telling the user why there is no panel, or no result."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from PySide import QtGui
 from ..translation import translate
 
 
-def show_problem(sentence: str) -> None:
+def show_problem(sentence: str, title: str = "") -> None:
+    """The sentence in a dialog, under a title already in the user's language."""
     App.Console.PrintError(sentence + "\n")
-    QtGui.QMessageBox.critical(Gui.getMainWindow(), translate("Fairing", "Fairing cannot work"), sentence)
+    title = title or translate("Fairing", "Fairing cannot work")
+    QtGui.QMessageBox.critical(Gui.getMainWindow(), title, sentence)

@@ -33,6 +33,7 @@ class SolvingPanel:
     """
 
     FORM = BOX = ICON = ""
+    MAKE_CHOICES = FillChoices  # which of the choices below it are offered
 
     @classmethod
     def launch(cls, make_session: Callable[[], object]) -> bool:
@@ -64,7 +65,7 @@ class SolvingPanel:
             box.setWindowIcon(QtGui.QIcon(paths.icon(self.ICON)))
         self._view = Gui.getDocument(session.document.Name).ActiveView
         self._solver = BackgroundSolver(native.module().Progress, self._solved, self._progressed, self._ui)
-        self._choices = FillChoices(self._choices_ui, session)
+        self._choices = self.MAKE_CHOICES(self._choices_ui, session)
         self._choices.changed.connect(self._refresh)
         self._set_up()
         self._connect_show()

@@ -10,8 +10,8 @@ class FillAllView(FillView):
     ICON = "Fairing_FillAllHoles.svg"
 
     @staticmethod
-    def base_of(obj):
-        return obj.Base
+    def bases_of(obj):
+        return [obj.Base] if obj.Base else []
 
     @staticmethod
     def open_panel(obj):

@@ -16,12 +16,12 @@ class FillView:
         view_object.ShapeColor = settings.patch_color()
         self.attach_to(view_object, self)
         if view_object.Object.ResultMode == "base":
-            self.base_of(view_object.Object).ViewObject.Visibility = False
+            self._show_bases(view_object.Object, False)
 
     @staticmethod
-    def base_of(obj):
-        """The object whose hole is filled, or None."""
-        return obj.Edges[0] if obj.Edges else None
+    def bases_of(obj):
+        """The objects a result in the mode "base" contains: the one whose hole is filled, if any."""
+        return [obj.Edges[0]] if obj.Edges else []
 
     @staticmethod
     def open_panel(obj):
@@ -43,7 +43,7 @@ class FillView:
     def claimChildren(self):
         """A fill that contains its base stands above it in the tree, as Part's operations do."""
         obj = getattr(self, "object", None)
-        return [self.base_of(obj)] if obj and obj.ResultMode == "base" and self.base_of(obj) else []
+        return self.bases_of(obj) if obj and obj.ResultMode == "base" else []
 
     def setEdit(self, view_object, mode: int = EDIT_DEFAULT):
         return self.open_panel(view_object.Object) if mode == EDIT_DEFAULT else None
@@ -63,10 +63,13 @@ class FillView:
         return True
 
     def onDelete(self, view_object, sub_elements) -> bool:
-        base = self.base_of(view_object.Object)
-        if base and view_object.Object.ResultMode == "base":
-            base.ViewObject.Visibility = True
+        if view_object.Object.ResultMode == "base":
+            self._show_bases(view_object.Object, True)
         return True
+
+    def _show_bases(self, obj, shown: bool) -> None:
+        for base in self.bases_of(obj):
+            base.ViewObject.Visibility = shown
 
     def dumps(self):
         return None

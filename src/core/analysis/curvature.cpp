@@ -40,9 +40,9 @@ struct GridPoint {
   spline::BasisRow basis;
 };
 
-// Integrands are rational: three points a span give figures good to about 1e-3, wherever there are
+// Integrands are rational: four points a span give figures good to about 1e-3, wherever there are
 // spans enough.
-constexpr int kLeastOnSpan = 3;
+constexpr int kLeastOnSpan = 4;
 constexpr int kLeastOnPatch = 16;
 
 std::vector<GridPoint> gridLine(const spline::KnotVector& knots) {

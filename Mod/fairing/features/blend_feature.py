@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parametric blend: a Part::FeaturePython that joins edges of one or two objects and keeps the numbers."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Optional
+
+import FreeCAD as App
+
+from .. import exchange
+from ..blend_request import BlendRequest
+from . import blend_properties as properties
+from .blend_sides import BlendSides, Side
+from .placement import container_for_results, container_of
+from .solved_feature import SolvedFeature
+
+
+class BlendFeature(SolvedFeature):
+    """Proxy of a blend."""
+
+    TYPE = "Blend"
+    properties = properties
+
+    def solve(self, obj: App.DocumentObject):
+        sides = properties.read_sides(obj)
+        return solve(sides.request(**properties.read_choices(obj)), sides)
+
+
+def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Optional[Mapping[Any, str]] = None,
+               to_continuity: Optional[Mapping[Any, str]] = None, **options) -> App.DocumentObject:
+    """Makes a strip that joins two chains of free edges, beside the first one's object in the document, computed.
+
+    from_edges       (object, ["Edge3"]): one edge of a smooth chain is enough
+    to_edges         the same for the other side, of the same object or of another one
+    from_continuity  edges of the first side that differ from `continuity`, {"Edge3": "G0"}
+    to_continuity    edges of the other side that differ
+    options          continuity, from_reach, to_reach, energy, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles, result:
+                     see fairing.blend()
+    Raises FairingError (or NativeModuleError) with one sentence, and then the document is as it was.
+    """
+    first, second = Side.of(from_edges, from_continuity), Side.of(to_edges, to_continuity)
+    container = container_for_results(first.base)
+    sides = BlendSides(first, second, container)
+    request = sides.request(**options)
+    solve(request, sides)
+    obj = first.base.Document.addObject("Part::FeaturePython", name)
+    if container:
+        container.addObject(obj)
+    BlendFeature(obj)
+    properties.write_request(obj, request, sides)
+    if App.GuiUp:
+        from ..views.blend_view import BlendView
+
+        BlendView(obj.ViewObject)
+    obj.Document.recompute([obj])
+    return obj
+
+
+def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
+                 from_continuity: Optional[Mapping[Any, str]] = None,
+                 to_continuity: Optional[Mapping[Any, str]] = None, **changes) -> App.DocumentObject:
+    """Changes some choices of a blend (those of make_blend) and computes it again; the others stay as they are.
+
+    A side that moves to other edges forgets which of its edges differed in continuity. Raises FairingError with one
+    sentence, and then the object is as it was.
+    """
+    first = _changed(lambda: properties.from_side(obj), from_edges, from_continuity)
+    second = _changed(lambda: properties.to_side(obj), to_edges, to_continuity)
+    sides = BlendSides(first, second, container_of(obj))
+    request = sides.request(**{**properties.read_choices(obj), **changes})
+    solve(request, sides)
+    properties.write_request(obj, request, sides)
+    obj.Document.recompute([obj])
+    return obj
+
+
+def solve(request: BlendRequest, sides: BlendSides):
+    """The native Fill of a request on its sides. Raises ValueError, FairingError or NativeModuleError."""
+    return request.solve(exchange.data_of(sides.shape))
+
+
+def _changed(read, edges, wishes) -> Side:
+    """A side with other edges, or with other wishes for those it has."""
+    if edges is not None:
+        return Side.of(edges, wishes)
+    side = read()
+    return side if wishes is None else Side.of(side.link(), wishes)

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+
+#include "occt/blend_shape.h"
+#include "occt/result_mode.h"
+#include "python/bindings.h"
+#include "python/conversions.h"
+#include "text/words.h"
+
+namespace py = pybind11;
+
+namespace fairing::python {
+namespace {
+
+using occt::ShapeIndex;
+
+BlendOptions optionsOf(const std::string& energy,
+                       const Tolerance& tolerance,
+                       int degree,
+                       int maxPoles) {
+  BlendOptions options;
+  options.fill.energy = choice(text::energyFrom, "energy", energy);
+  options.fill.tolerance = tolerance;
+  options.fill.degree = degree;
+  options.fill.maxPoles = maxPoles;
+  return options;
+}
+
+occt::ShapeFill blend(const ShapeIndex& shape,
+                      std::vector<int> from,
+                      std::vector<int> to,
+                      const std::string& continuity,
+                      const std::optional<Wishes>& wishes,
+                      double fromReach,
+                      double toReach,
+                      const std::string& energy,
+                      std::optional<double> tolerance,
+                      double angle,
+                      int degree,
+                      int maxPoles,
+                      const std::string& result,
+                      Progress* progress) {
+  const occt::BlendPicks picks{.from = std::move(from),
+                               .to = std::move(to),
+                               .continuity = continuityOf(continuity),
+                               .edgeContinuity = continuitiesOf(wishes.value_or(Wishes{}))};
+  BlendOptions options = optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles);
+  options.reach = {fromReach, toReach};
+  const occt::ResultMode mode = choice(occt::resultModeFrom, "result", result);
+  const py::gil_scoped_release release;
+  auto made = occt::blendShape(shape, picks, options, mode, progress);
+  if (made && progress != nullptr) progress->setFraction(1.0);
+  return valueOf(std::move(made));
+}
+
+std::vector<std::vector<int>> chains(const ShapeIndex& shape, const std::vector<int>& edges) {
+  return valueOf(occt::groupEdges(shape, edges));
+}
+
+}  // namespace
+
+void bindBlend(py::class_<ShapeIndex>& shape) {
+  shape
+      .def("chains",
+           &chains,
+           py::arg("edges"),
+           "Free edges grouped into chains that connect, each ascending, by their lowest edges. "
+           "Raises FairingError where an edge is not free.")
+      .def(
+          "blend",
+          &blend,
+          py::arg("from_edges"),
+          py::arg("to_edges"),
+          py::arg("continuity") = "G1",
+          py::arg("edge_continuity") = py::none(),
+          py::arg("from_reach") = 1.0,
+          py::arg("to_reach") = 1.0,
+          py::arg("energy") = std::string(text::word(FillOptions{}.energy)),
+          py::arg("tolerance") = py::none(),
+          py::arg("angle") = Tolerance{}.angle,
+          py::arg("degree") = 0,
+          py::arg("max_poles") = FillOptions{}.maxPoles,
+          py::arg("result") = "patches",
+          py::arg("progress") = py::none(),
+          "Joins two chains of free edges by one strip; one edge of a smooth chain is enough. "
+          "continuity is G0, G1 or G2, edge_continuity holds the edges that differ. from_reach and "
+          "to_reach, above 0: how far the strip goes on before it turns away from either side, 1 = "
+          "what the energy likes best. tolerance is "
+          "in mm (None: a millionth of the diagonal of both chains), angle in degrees, degree 3 "
+          "to 9 (0: chosen from the edges). The GIL is released while solving. Raises "
+          "FairingError.");
+}
+
+}  // namespace fairing::python

@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parametric blend without a window: made of one object or of two, recomputed, moved, changed, failing, saved."""
+
+import math
+import sys
+
+import FreeCAD as App
+import Part
+
+import fairing
+import support
+
+
+def cup(radius, bottom, height, open_end):
+    """A cylinder's wall and one of its caps."""
+    faces = Part.makeCylinder(radius, height, App.Vector(0, 0, bottom)).Faces
+    return Part.makeShell([face for face in faces if abs(face.CenterOfMass.z - open_end) > 1e-6])
+
+
+def edge_at(shape, height):
+    """The name of the circle at a height."""
+    return next(f"Edge{number}" for number, edge in enumerate(shape.Edges, 1)
+                if edge.isClosed() and abs(edge.CenterOfMass.z - height) < 1e-6)
+
+
+def object_of(document, name, shape):
+    obj = document.addObject("Part::Feature", name)
+    obj.Shape = shape
+    return obj
+
+
+def two_cups(name="Cups"):
+    """A document with two coaxial cups that face each other, and their rims as links."""
+    document = App.newDocument(name)
+    low, high = (object_of(document, "Low", cup(10, 0, 20, 20)), object_of(document, "High", cup(6, 35, 15, 35)))
+    document.recompute()
+    return document, (low, [edge_at(low.Shape, 20)]), (high, [edge_at(high.Shape, 35)])
+
+
+def two_planes(name="Planes"):
+    """A document with an object of two rectangles, and the edges that face each other."""
+    document = App.newDocument(name)
+    base = object_of(document, "Base", Part.Compound([Part.makePlane(20, 10),
+                                                      Part.makePlane(20, 10, App.Vector(0, 20, 8))]))
+    document.recompute()
+    names = [next(f"Edge{number}" for number, edge in enumerate(base.Shape.Edges, 1)
+                  if edge.CenterOfMass.distanceToPoint(App.Vector(*middle)) < 1e-6)
+             for middle in ((10, 10, 0), (10, 20, 8))]
+    return document, base, names
+
+
+def joins(blend, *sides):
+    """Asserts one valid face that meets every side tangentially, measured here."""
+    assert blend.State == ["Up-to-date"], blend.State
+    assert blend.Shape.isValid() and len(blend.Shape.Faces) == 1, blend.Shape.ShapeType
+    for base, names in sides:
+        # the circles are met to a millionth of the diagonal of both chains, here at most 60 mm
+        assert support.largest_gap(blend.Shape, base, names) < 6e-5
+        assert support.largest_angle(blend.Shape, base, names) <= support.ANGLE_TOLERANCE
+    assert blend.WithinTolerance and blend.LargestAngle.Value <= support.ANGLE_TOLERANCE, blend.Verdict
+
+
+def raises(kind, action):
+    """The exception an action fails with."""
+    try:
+        action()
+    except kind as error:
+        return error
+    raise AssertionError(f"{kind.__name__} expected")
+
+
+def joins_two_objects_tangentially():
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high)
+    joins(blend, low, high)
+    assert blend.FairingType == "Blend" and blend.Name == "Blend"
+    assert blend.ReportEdges == [f"Low.{low[1][0]}", f"High.{high[1][0]}"], blend.ReportEdges
+    assert len(blend.EdgeGaps) == len(blend.EdgeAngles) == 2
+    assert abs(blend.FilledArea.Value - blend.Shape.Area) < 1e-6 * blend.Shape.Area
+    for name in ("Verdict", "LargestGap", "EdgeAngles"):
+        assert "ReadOnly" in blend.getTypeOfProperty(name), name
+
+
+def joins_two_edges_of_one_object():
+    document, base, names = two_planes()
+    blend = fairing.make_blend((base, names[0]), (base, names[1]), continuity="G2")
+    joins(blend, (base, names))
+    assert sorted(blend.ReportEdges) == sorted(names) and blend.Continuity == "G2"
+
+
+def closes_two_cups_to_one_solid():
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high, result="base")
+    assert blend.isValid() and blend.Shape.ShapeType == "Solid" and blend.Shape.isValid(), blend.Shape.ShapeType
+    cups = math.pi * (10 ** 2 * 20 + 6 ** 2 * 15)
+    assert cups + math.pi * 6 ** 2 * 15 < blend.Shape.Volume < cups + math.pi * 10 ** 2 * 15
+
+
+def follows_what_it_joins():
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high)
+    area = blend.Shape.Area
+    high[0].Placement.Base = App.Vector(3, 0, 12)
+    document.recompute()
+    joins(blend, low, high)
+    assert blend.Shape.Area > area + 100.0, "a strip that spans 27 mm in place of 15"
+    for cup_object in (low[0], high[0]):
+        cup_object.Placement = App.Placement(App.Vector(5, 70, -20), App.Rotation(App.Vector(3, 1, 2), 75)).multiply(
+            cup_object.Placement)
+    moved = blend.Shape.Area
+    document.recompute()
+    joins(blend, low, high)
+    assert abs(blend.Shape.Area - moved) < 1e-5 * moved
+
+
+def follows_the_numbers_of_a_changed_cylinder():
+    document = App.newDocument("Cylinders")
+    low = document.addObject("Part::Cylinder", "Cylinder")
+    low.Radius, low.Height = 10, 20
+    wall = document.addObject("Part::Feature", "Wall")
+    wall.Shape = cup(6, 35, 15, 35)
+    tube = document.addObject("Part::FeaturePython", "Tube")
+
+    class Open:
+        def execute(self, obj):
+            obj.Shape = Part.makeShell(low.Shape.Faces[:1])
+
+    tube.Proxy = Open()
+    document.recompute()
+    rim = (tube, [edge_at(tube.Shape, 20)])
+    blend = fairing.make_blend(rim, (wall, [edge_at(wall.Shape, 35)]))
+    low.Radius = 8
+    tube.touch()
+    document.recompute()
+    joins(blend, rim)
+
+
+def lives_beside_its_base_in_a_part():
+    document, low, high = two_cups()
+    part = document.addObject("App::Part", "Part")
+    part.addObject(low[0])
+    part.Placement = App.Placement(App.Vector(0, 0, -5), App.Rotation())
+    document.recompute()
+    blend = fairing.make_blend(low, high)
+    assert blend.getParentGeoFeatureGroup() is part and blend.isValid()
+    top = blend.Shape.BoundBox.ZMax
+    assert abs(top - 40.0) < 1e-3, f"High's rim is 40 mm above the Part's origin, the blend ends at {top}"
+
+
+def failing_keeps_the_last_good_shape_and_says_why():
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high)
+    area, largest = blend.Shape.Area, blend.LargestAngle
+    for name, value, words in (("FromEdges", (low[0], ["Edge99"]), "edge 99"), ("ToEdges", None, "no edge"),
+                               ("ToEdges", low, "both sides"), ("FromEdges", (low[0], ["Face1"]), "Face1"),
+                               ("AngleTolerance", 0.0, "angle"), ("Degree", 99, "degree"),
+                               ("FromReach", 0.0, "reach"),
+                               ("FromContinuity", ["nonsense"], "nonsense"),
+                               ("ToContinuity", [f"{high[1][0]}=G9"], "G9")):
+        good = getattr(blend, name)
+        setattr(blend, name, value)
+        document.recompute()
+        assert not blend.isValid() and words in blend.Verdict and "\n" not in blend.Verdict, (name, blend.Verdict)
+        assert blend.Verdict in blend.getStatusString(), "the tree's tooltip says something else"
+        assert not blend.WithinTolerance and blend.Shape.Area == area and blend.LargestAngle == largest
+        setattr(blend, name, good)
+    document.recompute()
+    joins(blend, low, high)
+
+
+def bad_input_leaves_the_document_as_it_was():
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high)
+    before = [(obj.Name, obj.State) for obj in document.Objects]
+    for first, second, options in ((low, low, {}), (low, None, {}), ((low[0], []), high, {}),
+                                   ((low[0], ["Vertex1"]), high, {}), ((low[0], ["Edge99"]), high, {}),
+                                   (low, high, {"energy": "soap"}), (low, high, {"gap_tolerance": 0.0}),
+                                   (low, high, {"angle_tolerance": float("nan")}),
+                                   (low, high, {"to_continuity": {high[1][0]: "G7"}})):
+        assert str(raises(ValueError, lambda: fairing.make_blend(first, second, **options)))
+        if second:
+            assert str(raises(ValueError, lambda: fairing.change_blend(blend, from_edges=first, to_edges=second,
+                                                                       **options)))
+        assert [(obj.Name, obj.State) for obj in document.Objects] == before
+    joins(blend, low, high)
+
+
+def reaches_farther_on_one_side():
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high)
+    area = blend.Shape.Area
+    blend.FromReach = 1.6
+    document.recompute()
+    joins(blend, low, high)
+    assert blend.Shape.Area > area + 1.0
+
+
+def choices_change_the_surface_and_are_kept():
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high)
+    fair = blend.Shape.Area
+    fairing.change_blend(blend, energy="membrane", to_continuity={high[1][0]: "G0"})
+    assert blend.isValid() and blend.Energy == "membrane" and blend.ToContinuity == [f"{high[1][0]}=G0"]
+    assert blend.FromContinuity == [] and blend.Shape.Area < fair
+    assert blend.EdgeAngles[0] <= support.ANGLE_TOLERANCE and blend.EdgeAngles[1] > 1.0
+    fairing.change_blend(blend, degree=6)
+    assert blend.ToContinuity == [f"{high[1][0]}=G0"] and blend.Degree == 6
+    fairing.change_blend(blend, to_continuity={}, energy="mean-curvature-gradient", degree=0)
+    joins(blend, low, high)
+
+
+def picked_edges_are_told_apart_into_sides():
+    from fairing.features.blend_picks import two_sides
+
+    document, base, names = two_planes()
+    beside = next(f"Edge{number}" for number, edge in enumerate(base.Shape.Edges, 1)
+                  if edge.CenterOfMass.distanceToPoint(App.Vector(0, 5, 0)) < 1e-6)
+    assert two_sides([(base, names[::-1])]) == ((base, names[1:]), (base, names[:1]))
+    first, second = two_sides([(base, [names[0], names[1], beside])])
+    assert sorted(first[1]) == sorted([names[0], beside]) and second == (base, names[1:])
+    first, second = two_sides([(base, [names[1], names[0], beside])])
+    assert first == (base, names[1:]) and sorted(second[1]) == sorted([names[0], beside])
+    far = object_of(document, "Far", Part.makePlane(5, 5, App.Vector(0, 100, 0)))
+    first, second = two_sides([(far, ["Edge1"]), (base, [names[0], beside])])
+    assert first == (far, ["Edge1"]) and second[0] is base and sorted(second[1]) == sorted([names[0], beside])
+    assert "no edge" in str(raises(ValueError, lambda: two_sides([(base, names[:1])])))
+    assert "3 separate chains" in str(raises(ValueError, lambda: two_sides([(far, ["Edge1"]), (base, names)])))
+    assert "one chain" in str(raises(ValueError, lambda: two_sides([(far, ["Edge1", "Edge2", "Edge3"])])))
+
+
+def survives_save_and_reopen():
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high, degree=6, from_continuity={low[1][0]: "G2"})
+    area = blend.Shape.Area
+    path = support.saved(document)
+    App.closeDocument(document.Name)
+    document = App.openDocument(path)
+    blend = document.Blend
+    assert type(blend.Proxy).__name__ == "BlendFeature" and blend.Shape.Area == area
+    assert blend.FromContinuity == [f"{low[1][0]}=G2"] and blend.Degree == 6
+    assert blend.FromEdges[0] is document.Low and blend.ToEdges[0] is document.High
+    blend.touch()
+    document.recompute()
+    assert blend.isValid() and abs(blend.Shape.Area - area) < 1e-9 * area
+
+
+def a_dead_one_comes_back_to_life():
+    from fairing.features import reconnect
+
+    document, low, high = two_cups()
+    blend = fairing.make_blend(low, high)
+    blend.Proxy = 0
+    assert reconnect.reconnect(document) == [blend] and type(blend.Proxy).__name__ == "BlendFeature"
+    document.recompute()
+    joins(blend, low, high)
+
+
+def needs_no_window():
+    assert not App.GuiUp and not {"FreeCADGui", "PySide", "PySide2", "pivy"} & set(sys.modules)
+
+
+support.run_all(globals())
