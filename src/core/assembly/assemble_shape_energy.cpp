@@ -150,9 +150,9 @@ class SpanModel {
     const Index n = values_.cols(), rows = hessian.rows();
     for (Index a = 0; a < 3; ++a)
       for (Index b = 0; b <= a; ++b) {
-        const MatrixXd gram = values_.transpose() *
-                              (weight * projections_.row(3 * a + b).transpose()).asDiagonal() *
-                              values_;
+        const MatrixXd weighted =
+            (weight * projections_.row(3 * a + b).transpose()).asDiagonal() * values_;
+        const MatrixXd gram = values_.transpose() * weighted;
         const auto block = [&](Index c, Index d) {
           return Eigen::Map<MatrixXd, 0, Stride>(
               hessian.data() + d * rows + c, n, n, Stride(3 * rows, 3));
