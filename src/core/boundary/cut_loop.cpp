@@ -25,30 +25,6 @@ std::vector<Stretch> stretchesBetween(const BoundaryLoop& loop, LoopPlace from, 
   return result;
 }
 
-// One edge, or a stretch of it, affine in its own parameter.
-BoundarySide stretchOfEdge(const BoundarySide& edge, const Stretch& s) {
-  BoundarySide side = edge;
-  if (s.from == 0.0 && s.to == 1.0) return side;
-  const double from = s.from, width = s.to - s.from;
-  side.ribbon.curve = [curve = edge.ribbon.curve, from, width](double t) {
-    CurveSample sample = curve(from + t * width);
-    sample.derivative *= width;
-    return sample;
-  };
-  if (edge.ribbon.polynomial)
-    side.ribbon.polynomial = spline::stretchOf(*edge.ribbon.polynomial, s.from, s.to);
-  side.ribbon.breaks.clear();
-  for (const CurveBreak& b : edge.ribbon.breaks)
-    if (s.from < b.t && b.t < s.to)
-      side.ribbon.breaks.push_back({(b.t - from) / width, b.continuity});
-  if (edge.ribbon.hasSupport())
-    side.ribbon.support = [support = edge.ribbon.support, from, width](double t) {
-      return support(from + t * width);
-    };
-  side.stretches.clear();
-  return side;
-}
-
 }  // namespace
 
 Result<CutLoop> cutLoop(const BoundaryLoop& loop,
@@ -60,16 +36,9 @@ Result<CutLoop> cutLoop(const BoundaryLoop& loop,
   for (std::size_t k = 0; k < cuts.size(); ++k) {
     auto stretches = stretchesBetween(loop, cuts[k], cuts[(k + 1) % cuts.size()]);
     FAIRING_ASSERT(!stretches.empty());
-    const auto& polynomial = loop.sides[stretches[0].edge].ribbon.polynomial;
-    const bool keeps = polynomial && polynomial->knots.poleCount() <= mostPoles;
-    if (stretches.size() == 1 && (keeps || !polynomial)) {
-      sides.push_back(stretchOfEdge(loop.sides[stretches[0].edge], stretches[0]));
-      cut.stretches.push_back(std::move(stretches));
-      continue;
-    }
-    EdgeChain chain = chainEdges(loop, stretches);
-    sides.push_back(std::move(chain.side));
-    cut.stretches.push_back(std::move(chain.stretches));
+    EdgeChain side = sideOfStretches(loop, stretches, mostPoles);
+    sides.push_back(std::move(side.side));
+    cut.stretches.push_back(std::move(side.stretches));
   }
   auto made = makeLoop(std::move(sides));
   if (!made) return fail(made.error());

@@ -26,11 +26,8 @@ struct CutLoop {
   std::vector<std::vector<Stretch>> stretches;  ///< of every new side, in its direction
 };
 
-/// Cuts a loop at places given in its order, two at least; new side k starts at cuts[k]. A stretch
-/// of one edge keeps its parameter (a polynomial stays one); a side made of several edges, or of a
-/// polynomial with more than `mostPoles` control points, runs at constant speed: such edges come
-/// from approximations, their own speed is rough and would cost a patch many knots. Fails with the
-/// codes of makeLoop().
+/// Cuts a loop at places given in its order, two at least; new side k starts at cuts[k] and is that
+/// of sideOfStretches() (edge_chain.h). Fails with the codes of makeLoop().
 [[nodiscard]] Result<CutLoop> cutLoop(const BoundaryLoop& loop,
                                       const std::vector<LoopPlace>& cuts,
                                       int mostPoles);

@@ -138,6 +138,30 @@ void addParts(const Link& link, double length, std::vector<Stretch>& result) {
                       m + 1 == kParts ? s.end : chainAt(m + 1)});
 }
 
+// One edge, or a stretch of it, affine in its own parameter.
+BoundarySide stretchOfEdge(const BoundarySide& edge, const Stretch& s) {
+  BoundarySide side = edge;
+  if (s.from == 0.0 && s.to == 1.0) return side;
+  const double from = s.from, width = s.to - s.from;
+  side.ribbon.curve = [curve = edge.ribbon.curve, from, width](double t) {
+    CurveSample sample = curve(from + t * width);
+    sample.derivative *= width;
+    return sample;
+  };
+  if (edge.ribbon.polynomial)
+    side.ribbon.polynomial = spline::stretchOf(*edge.ribbon.polynomial, s.from, s.to);
+  side.ribbon.breaks.clear();
+  for (const CurveBreak& b : edge.ribbon.breaks)
+    if (s.from < b.t && b.t < s.to)
+      side.ribbon.breaks.push_back({(b.t - from) / width, b.continuity});
+  if (edge.ribbon.hasSupport())
+    side.ribbon.support = [support = edge.ribbon.support, from, width](double t) {
+      return support(from + t * width);
+    };
+  side.stretches.clear();
+  return side;
+}
+
 }  // namespace
 
 EdgeChain chainEdges(const BoundaryLoop& loop, const std::vector<Stretch>& edges) {
@@ -158,6 +182,16 @@ EdgeChain chainEdges(const BoundaryLoop& loop, const std::vector<Stretch>& edges
     addParts(link, curve->length, chain.stretches);
   }
   return chain;
+}
+
+EdgeChain sideOfStretches(const BoundaryLoop& loop,
+                          const std::vector<Stretch>& stretches,
+                          int mostPoles) {
+  const BoundarySide& first = loop.sides[stretches.front().edge];
+  const auto& polynomial = first.ribbon.polynomial;
+  const bool keeps = !polynomial || polynomial->knots.poleCount() <= mostPoles;
+  if (stretches.size() > 1 || !keeps) return chainEdges(loop, stretches);
+  return {stretchOfEdge(first, stretches.front()), stretches};
 }
 
 }  // namespace fairing::boundary

@@ -47,4 +47,7 @@ struct Ribbon {
   [[nodiscard]] bool hasSupport() const { return static_cast<bool>(support); }
 };
 
+/// The ribbon run through the other way, its normals as they were.
+[[nodiscard]] Ribbon reversed(const Ribbon& ribbon);
+
 }  // namespace fairing::boundary

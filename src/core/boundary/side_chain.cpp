@@ -11,23 +11,16 @@ namespace {
 // Neighbours that meet at a smaller angle (degrees; 180 = straight on) make a corner.
 constexpr double kStraightOn = 175.0;
 
-Ribbon reversed(const Ribbon& ribbon) {
-  Ribbon result;
-  result.curve = [curve = ribbon.curve](double t) {
-    const CurveSample sample = curve(1.0 - t);
-    return CurveSample{sample.point, -sample.derivative};
-  };
-  if (ribbon.polynomial) result.polynomial = spline::reversed(*ribbon.polynomial);
-  for (auto b = ribbon.breaks.rbegin(); b != ribbon.breaks.rend(); ++b)
-    result.breaks.push_back({1.0 - b->t, b->continuity});
+// With the support normals the other way.
+Ribbon turned(Ribbon ribbon) {
   if (ribbon.hasSupport())
-    result.support = [support = ribbon.support](double t) {
-      SupportSample sample = support(1.0 - t);
+    ribbon.support = [support = ribbon.support](double t) {
+      SupportSample sample = support(t);
       sample.normal = -sample.normal;
       sample.secondForm = -sample.secondForm;
       return sample;
     };
-  return result;
+  return ribbon;
 }
 
 std::optional<Error> addCorners(const SideChain& chain, BoundaryLoop& loop) {
@@ -57,7 +50,7 @@ SideChain reversed(const SideChain& chain) {
   SideChain result = chain;
   std::reverse(result.sides.begin(), result.sides.end());
   for (BoundarySide& side : result.sides) {
-    side.ribbon = reversed(side.ribbon);
+    side.ribbon = turned(reversed(side.ribbon));
     std::reverse(side.stretches.begin(), side.stretches.end());
     for (std::size_t k = 0; k < side.stretches.size(); ++k)
       side.stretches[k].t = k + 1 < side.stretches.size() ? 1.0 - side.stretches[k + 1].t : 1.0;
@@ -73,8 +66,7 @@ Result<ChainPair> pairChains(const SideChain& first, const SideChain& second) {
   ChainPair pair;
   pair.closed = first.closed;
   pair.firstCount = first.sides.size();
-  pair.turned = runsAlong(first, second);
-  const SideChain other = pair.turned ? reversed(second) : second;
+  const SideChain other = runsAlong(first, second) ? reversed(second) : second;
   std::vector<BoundarySide> sides = first.sides;
   sides.insert(sides.end(), other.sides.begin(), other.sides.end());
   auto loop = measureSides(std::move(sides));

@@ -26,7 +26,6 @@ struct ChainPair {
   BoundaryLoop sides;
   std::size_t firstCount = 0;  ///< number of sides of the first chain
   bool closed = false;         ///< both chains are
-  bool turned = false;         ///< the second chain was given the other way round
 };
 
 /// Two chains as a strip needs them: the second one is turned round where it would make the strip

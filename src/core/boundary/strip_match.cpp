@@ -106,13 +106,12 @@ std::vector<Stretch> stretchesFrom(std::size_t first, std::size_t count, LoopPla
   return result;
 }
 
+// Points of closed chains belong together by arc length.
 EdgeChain chainFrom(
     const ChainPair& pair, std::size_t first, std::size_t count, LoopPlace start, int mostPoles) {
-  const BoundarySide& only = pair.sides.sides[first];
-  const auto& polynomial = only.ribbon.polynomial;
-  const bool keeps = !polynomial || polynomial->knots.poleCount() <= mostPoles;
-  if (count == 1 && !pair.closed && keeps) return {only, {{first, 0.0, 1.0}}};
-  return chainEdges(pair.sides, stretchesFrom(first, count, start));
+  const std::vector<Stretch> stretches = stretchesFrom(first, count, start);
+  return pair.closed ? chainEdges(pair.sides, stretches)
+                     : sideOfStretches(pair.sides, stretches, mostPoles);
 }
 
 }  // namespace

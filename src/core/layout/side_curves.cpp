@@ -21,18 +21,17 @@ constexpr int kLeastDegree = 3;
 // more.
 constexpr double kSameKnot = 1e-7;
 
+// The side's ribbon in the patch's direction.
+boundary::Ribbon ribbonOf(const DirectedSide& s) {
+  return s.reversed ? boundary::reversed(s.side->ribbon) : s.side->ribbon;
+}
+
 std::optional<BsplineCurve> exactCurve(const DirectedSide& s) {
-  const auto& polynomial = s.side->ribbon.polynomial;
-  if (!polynomial) return std::nullopt;
-  return s.reversed ? spline::reversed(*polynomial) : *polynomial;
+  return ribbonOf(s).polynomial;
 }
 
 spline::CurveFunction curveFunction(const DirectedSide& s) {
-  if (!s.reversed) return s.side->ribbon.curve;
-  return [given = s.side->ribbon.curve](double t) {
-    const spline::CurvePoint p = given(1.0 - t);
-    return spline::CurvePoint{p.point, -p.derivative};
-  };
+  return ribbonOf(s).curve;
 }
 
 // The curve with its knots moved onto those of `knots` they stand for: refinedTo() needs them equal
@@ -65,9 +64,8 @@ int chooseDegree(const std::vector<BsplineCurve>& exact, int wish) {
 // k. At least C1, since a patch must not be creased along an isoline.
 KnotVector breakKnots(const DirectedSide& s, int degree) {
   KnotVector knots = KnotVector::bezier(degree);
-  for (const boundary::CurveBreak& b : s.side->ribbon.breaks)
-    for (int k = std::max(1, b.continuity); k < degree; ++k)
-      knots = knots.withKnot(s.reversed ? 1.0 - b.t : b.t);
+  for (const boundary::CurveBreak& b : ribbonOf(s).breaks)
+    for (int k = std::max(1, b.continuity); k < degree; ++k) knots = knots.withKnot(b.t);
   return knots;
 }
 

@@ -35,7 +35,8 @@ constexpr int kSteps = 2;
 // A strip's start is farther from its end: nothing holds its middle.
 constexpr int kStepsOfStrip = 8;
 constexpr double kWorthAStep = 1e-3;  // of the energy
-// As an integral; 1e4 lets the parametrisation drift: one round more on stars, and waves farther off.
+// As an integral; 1e4 lets the parametrisation drift: one round more on stars, and waves farther
+// off.
 constexpr double kPinning = 1e5;
 constexpr int kTrials = 4;
 constexpr double kFirstDamping = 1e2, kDampingFactor = 30.0;
