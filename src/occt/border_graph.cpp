@@ -107,4 +107,40 @@ void BorderGraph::connect() {
   }
 }
 
+std::optional<Error> wrongEdge(const ShapeIndex& index, const std::vector<int>& edges) {
+  std::set<int> seen;
+  for (int edge : edges) {
+    if (!index.hasEdge(edge)) {
+      return Error{
+          .code = ErrorCode::EdgeOutOfRange, .edge = edge, .value = double(index.edgeCount())};
+    }
+    if (!seen.insert(edge).second) return Error{.code = ErrorCode::EdgePickedTwice, .edge = edge};
+  }
+  return std::nullopt;
+}
+
+Result<std::set<int>> positionsOf(const BorderGraph& graph, std::vector<int> edges) {
+  std::sort(edges.begin(), edges.end());
+  std::set<int> positions;
+  for (int edge : edges) {
+    if (graph.find(edge) < 0) return fail(graph.refusal(edge));
+    positions.insert(graph.find(edge));
+  }
+  return positions;
+}
+
+double headingBalance(const BorderGraph& graph, const std::vector<LoopEdge>& walk) {
+  double balance = 0.0;
+  for (const LoopEdge& e : walk) {
+    const BorderEdge& edge = graph.edges()[std::size_t(e.border)];
+    if (edge.heading) balance += *edge.heading == e.direction ? edge.length : -edge.length;
+  }
+  return balance;
+}
+
+void turnRound(std::vector<LoopEdge>& walk) {
+  std::reverse(walk.begin(), walk.end());
+  for (LoopEdge& e : walk) e.direction = opposite(e.direction);
+}
+
 }  // namespace fairing::occt

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/base/result.h"
@@ -66,5 +67,19 @@ class BorderGraph {
   std::vector<std::vector<int>> incident_;
   std::vector<Eigen::Vector3d> points_;
 };
+
+/// EdgeOutOfRange or EdgePickedTwice for the first number given that is none to work with.
+[[nodiscard]] std::optional<Error> wrongEdge(const ShapeIndex& index,
+                                             const std::vector<int>& edges);
+
+/// The positions of edges in the graph; fails with the refusal of the lowest one that is not there.
+[[nodiscard]] Result<std::set<int>> positionsOf(const BorderGraph& graph, std::vector<int> edges);
+
+/// How much more of a walk's length, mm, has the hole to its left than to its right; edges without
+/// a heading have no say.
+[[nodiscard]] double headingBalance(const BorderGraph& graph, const std::vector<LoopEdge>& walk);
+
+/// The walk the other way round.
+void turnRound(std::vector<LoopEdge>& walk);
 
 }  // namespace fairing::occt

@@ -10,6 +10,9 @@ namespace fairing::occt {
 
 /// Which way an edge is run through: with its curve's parameter or against it.
 enum class Direction { Forward, Backward };
+[[nodiscard]] constexpr Direction opposite(Direction d) {
+  return d == Direction::Forward ? Direction::Backward : Direction::Forward;
+}
 
 /// The curve of an edge over [0, 1], affine in the edge's own parameter. Not to be shared between
 /// threads.

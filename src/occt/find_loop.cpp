@@ -17,14 +17,7 @@ const BorderEdge& edgeOf(const BorderGraph& graph, const LoopEdge& e) {
 }
 
 std::optional<Error> wrongNumber(const ShapeIndex& index, const Picks& picks) {
-  std::set<int> seen;
-  for (int edge : picks.edges) {
-    if (!index.hasEdge(edge)) {
-      return Error{
-          .code = ErrorCode::EdgeOutOfRange, .edge = edge, .value = double(index.edgeCount())};
-    }
-    if (!seen.insert(edge).second) return Error{.code = ErrorCode::EdgePickedTwice, .edge = edge};
-  }
+  if (const auto wrong = wrongEdge(index, picks.edges)) return wrong;
   for (int face : picks.faces) {
     if (!index.hasFace(face)) {
       return Error{
@@ -39,13 +32,8 @@ Result<std::set<int>> startingPoints(const ShapeIndex& index,
                                      const BorderGraph& graph,
                                      const Picks& picks) {
   if (const auto error = wrongNumber(index, picks)) return fail(*error);
-  std::set<int> result;
-  std::vector<int> edges = picks.edges;
-  std::sort(edges.begin(), edges.end());
-  for (int edge : edges) {
-    if (graph.find(edge) < 0) return fail(graph.refusal(edge));
-    result.insert(graph.find(edge));
-  }
+  auto result = positionsOf(graph, picks.edges);
+  if (!result) return result;
   if (picks.edges.empty() && !picks.faces.empty()) {
     for (int edge = 1; edge <= index.edgeCount(); ++edge) {
       const ErrorCode why = graph.find(edge) < 0 ? graph.refusal(edge).code : ErrorCode::Foreign;
@@ -55,9 +43,9 @@ Result<std::set<int>> startingPoints(const ShapeIndex& index,
       });
       if (ofPicked && why == ErrorCode::EdgeWithManyFaces) return fail(graph.refusal(edge));
     }
-    for (std::size_t i = 0; i < graph.edges().size(); ++i) result.insert(int(i));
+    for (std::size_t i = 0; i < graph.edges().size(); ++i) result->insert(int(i));
   }
-  if (result.empty()) return fail({.code = ErrorCode::NothingPicked});
+  if (result->empty()) return fail({.code = ErrorCode::NothingPicked});
   return result;
 }
 
@@ -105,11 +93,7 @@ Error severalLoops(const BorderGraph& graph, const LoopWalk& walk, std::set<int>
 }  // namespace
 
 Loop canonical(const BorderGraph& graph, Loop loop) {
-  double agreement = 0.0;
-  for (const LoopEdge& e : loop) {
-    const BorderEdge& edge = edgeOf(graph, e);
-    if (edge.heading) agreement += *edge.heading == e.direction ? edge.length : -edge.length;
-  }
+  const double agreement = headingBalance(graph, loop);
   const auto lowest = [&] {
     return std::min_element(loop.begin(), loop.end(), [&](const LoopEdge& a, const LoopEdge& b) {
       return edgeOf(graph, a).edge < edgeOf(graph, b).edge;
@@ -117,10 +101,7 @@ Loop canonical(const BorderGraph& graph, Loop loop) {
   };
   const bool undecided = agreement == 0.0;
   if (agreement < 0.0 || (undecided && lowest()->direction == Direction::Backward)) {
-    std::reverse(loop.begin(), loop.end());
-    for (LoopEdge& e : loop) {
-      e.direction = e.direction == Direction::Forward ? Direction::Backward : Direction::Forward;
-    }
+    turnRound(loop);
   }
   std::rotate(loop.begin(), lowest(), loop.end());
   return loop;

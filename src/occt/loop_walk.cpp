@@ -18,10 +18,6 @@ constexpr double kSameWay = 0.02;
 /// curve starts oddly.
 constexpr double kChord = 0.02;
 
-Direction opposite(Direction d) {
-  return d == Direction::Forward ? Direction::Backward : Direction::Forward;
-}
-
 }  // namespace
 
 LoopWalk::LoopWalk(const ShapeIndex& index, const BorderGraph& graph, std::set<int> picked)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "occt/read_boundary.h"
 
-#include <algorithm>
-
 #include "occt/border_graph.h"
 #include "occt/direction_support.h"
 #include "occt/find_loop.h"
@@ -11,33 +9,12 @@
 #include "occt/read_side.h"
 
 namespace fairing::occt {
-namespace {
-
-using boundary::BoundarySide;
-
-/// EdgeNotInLoop for a wish about an edge that is none of the sides, if there is one.
-std::optional<Error> strayWish(const Picks& picks, const std::vector<BoundarySide>& sides) {
-  const auto isStray = [&](int edge) {
-    return std::none_of(
-        sides.begin(), sides.end(), [&](const BoundarySide& side) { return side.edge == edge; });
-  };
-  for (const auto& [edge, wish] : picks.edgeContinuity) {
-    if (isStray(edge)) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
-  }
-  for (const auto& [edge, direction] : picks.directions) {
-    if (isStray(edge)) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 Result<boundary::BoundaryLoop> readBoundary(const ShapeIndex& index, const Picks& picks) {
   return guarded([&]() -> Result<boundary::BoundaryLoop> {
     const BorderGraph graph = BorderGraph::build(index, picks);
     const auto loop = traceLoop(index, graph, picks);
     if (!loop) return fail(loop.error());
-    std::vector<BoundarySide> sides;
+    std::vector<boundary::BoundarySide> sides;
     for (const LoopEdge& e : *loop) {
       sides.push_back(readSide(index, picks, graph.edges()[std::size_t(e.border)], e.direction));
     }

@@ -18,10 +18,6 @@ using boundary::SideChain;
 
 constexpr double kSmooth = 1.0;  // degrees between edges that continue each other
 
-Direction opposite(Direction d) {
-  return d == Direction::Forward ? Direction::Backward : Direction::Forward;
-}
-
 /// One side of a blend while it is put together, edge by edge.
 class ChainBuilder {
  public:
@@ -52,10 +48,7 @@ class ChainBuilder {
   }
   [[nodiscard]] bool isClosed() const { return startOf(chain_.front()) == endOf(chain_.back()); }
   [[nodiscard]] SideChain finish(const Picks& picks) {
-    if (headsBackwards()) {
-      std::reverse(chain_.begin(), chain_.end());
-      for (LoopEdge& e : chain_) e.direction = opposite(e.direction);
-    }
+    if (headingBalance(graph_, chain_) < 0.0) turnRound(chain_);
     SideChain result;
     result.closed = isClosed();
     for (const LoopEdge& e : chain_)
@@ -112,35 +105,17 @@ class ChainBuilder {
     }
     return found;
   }
-  /// Whether most of the length has what is to be spanned to the right.
-  [[nodiscard]] bool headsBackwards() const {
-    double balance = 0.0;
-    for (const LoopEdge& e : chain_)
-      if (const auto& heading = border(e.border).heading)
-        balance += (*heading == e.direction ? 1.0 : -1.0) * border(e.border).length;
-    return balance < 0.0;
-  }
-
   const ShapeIndex& index_;
   const BorderGraph& graph_;
   std::set<int> left_;
   std::vector<LoopEdge> chain_;
 };
 
-Result<std::set<int>> positionsOf(const ShapeIndex& index,
-                                  const BorderGraph& graph,
-                                  const std::vector<int>& edges) {
-  std::set<int> positions;
-  for (const int edge : edges) {
-    if (edge < 1 || edge > index.edgeCount())
-      return fail(
-          {.code = ErrorCode::EdgeOutOfRange, .edge = edge, .value = double(index.edgeCount())});
-    const int position = graph.find(edge);
-    if (position < 0) return fail(graph.refusal(edge));
-    if (!positions.insert(position).second)
-      return fail({.code = ErrorCode::EdgePickedTwice, .edge = edge});
-  }
-  return positions;
+Result<std::set<int>> pickedPositions(const ShapeIndex& index,
+                                      const BorderGraph& graph,
+                                      const std::vector<int>& edges) {
+  if (const auto wrong = wrongEdge(index, edges)) return fail(*wrong);
+  return positionsOf(graph, edges);
 }
 
 Picks picksOf(const BlendPicks& picks) {
@@ -160,24 +135,15 @@ std::optional<Error> checkSides(const BlendPicks& picks) {
   return std::nullopt;
 }
 
-std::optional<Error> strayWish(const BlendPicks& picks, const boundary::BoundaryLoop& sides) {
-  for (const auto& [edge, wish] : picks.edgeContinuity)
-    if (std::none_of(sides.sides.begin(), sides.sides.end(), [edge = edge](const auto& side) {
-          return side.edge == edge;
-        }))
-      return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
-  return std::nullopt;
-}
-
 }  // namespace
 
 Result<boundary::ChainPair> readChains(const ShapeIndex& index, const BlendPicks& picks) {
   return guarded([&]() -> Result<boundary::ChainPair> {
     if (const auto wrong = checkSides(picks)) return fail(*wrong);
     const BorderGraph graph = BorderGraph::build(index, {});
-    const auto from = positionsOf(index, graph, picks.from);
+    const auto from = pickedPositions(index, graph, picks.from);
     if (!from) return fail(from.error());
-    const auto to = positionsOf(index, graph, picks.to);
+    const auto to = pickedPositions(index, graph, picks.to);
     if (!to) return fail(to.error());
     ChainBuilder first(index, graph, *from), second(index, graph, *to);
     if (const auto broken = first.connect()) return fail(*broken);
@@ -186,7 +152,7 @@ Result<boundary::ChainPair> readChains(const ShapeIndex& index, const BlendPicks
     second.extend(first.positions());
     auto pair = boundary::pairChains(first.finish(picksOf(picks)), second.finish(picksOf(picks)));
     if (!pair) return pair;
-    if (const auto stray = strayWish(picks, pair->sides)) return fail(*stray);
+    if (const auto stray = strayWish(picksOf(picks), pair->sides.sides)) return fail(*stray);
     return pair;
   });
 }
@@ -195,7 +161,7 @@ Result<std::vector<std::vector<int>>> groupEdges(const ShapeIndex& index,
                                                  const std::vector<int>& edges) {
   return guarded([&]() -> Result<std::vector<std::vector<int>>> {
     const BorderGraph graph = BorderGraph::build(index, {});
-    auto left = positionsOf(index, graph, edges);
+    auto left = pickedPositions(index, graph, edges);
     if (!left) return fail(left.error());
     std::vector<std::vector<int>> groups;
     while (!left->empty()) {

@@ -76,4 +76,18 @@ BoundarySide readSide(const ShapeIndex& index,
   return side;
 }
 
+std::optional<Error> strayWish(const Picks& picks, const std::vector<BoundarySide>& sides) {
+  const auto isStray = [&](int edge) {
+    return std::none_of(
+        sides.begin(), sides.end(), [&](const BoundarySide& side) { return side.edge == edge; });
+  };
+  for (const auto& [edge, wish] : picks.edgeContinuity) {
+    if (isStray(edge)) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+  }
+  for (const auto& [edge, direction] : picks.directions) {
+    if (isStray(edge)) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+  }
+  return std::nullopt;
+}
+
 }  // namespace fairing::occt

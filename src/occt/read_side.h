@@ -15,4 +15,8 @@ namespace fairing::occt {
                                               const BorderEdge& border,
                                               Direction direction);
 
+/// EdgeNotInLoop for a wish about an edge that is none of the sides, if there is one.
+[[nodiscard]] std::optional<Error> strayWish(const Picks& picks,
+                                             const std::vector<boundary::BoundarySide>& sides);
+
 }  // namespace fairing::occt
