@@ -86,14 +86,43 @@ Result<Tolerance> PickArguments::tolerance() const {
   return toleranceFrom(gap, angle);
 }
 
-void FillArguments::addTo(CLI::App& command) {
-  command.add_option("SHAPE", shape, "the shape with the hole, .brep or .step")->required();
+void SolveArguments::addFiles(CLI::App& command, const char* whatShape) {
+  command.add_option("SHAPE", shape, whatShape)->required();
   command.add_option("-o,--out", out, "where the result goes, .brep or .step")->required();
-  picks.addTo(command);
-  command.add_option("--layout", layout, "auto, quad, star, o-grid or trimmed (default auto)");
+}
+
+void SolveArguments::addChoices(CLI::App& command) {
   command.add_option("--energy",
                      energy,
                      "thin-plate, membrane or mean-curvature-gradient (default " + energy + ")");
+  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
+  command.add_option("--max-poles",
+                     maxPoles,
+                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
+  command.add_option("--result", result, "patches, shell or base (default patches)");
+  command.add_option("--report", report, "JSON file for the numbers");
+}
+
+Result<FillOptions> SolveArguments::options(const Result<Tolerance>& tolerance) const {
+  const auto energyKind = text::energyFrom(energy);
+  if (!energyKind) return fail(unknown("--energy", energy));
+  if (!tolerance) return fail(tolerance.error());
+  FillOptions chosen;
+  chosen.energy = *energyKind;
+  chosen.tolerance = *tolerance;
+  chosen.degree = degree;
+  chosen.maxPoles = maxPoles;
+  return chosen;
+}
+
+Result<occt::ResultMode> SolveArguments::mode() const {
+  return modeFrom(result);
+}
+
+void FillArguments::addTo(CLI::App& command) {
+  solve.addFiles(command, "the shape with the hole, .brep or .step");
+  picks.addTo(command);
+  command.add_option("--layout", layout, "auto, quad, star, o-grid or trimmed (default auto)");
   addRepeated(
       command,
       "--through",
@@ -108,42 +137,30 @@ void FillArguments::addTo(CLI::App& command) {
   command.add_option(
       "--reference", reference, "shape whose faces guide the surface: points and normals");
   command.add_option("--guide", guide, "JSON file with guiding normals");
-  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
-  command.add_option("--max-poles",
-                     maxPoles,
-                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
-  command.add_option("--result", result, "patches, shell or base (default patches)");
-  command.add_option("--report", report, "JSON file for the numbers");
+  solve.addChoices(command);
 }
 
 Result<FillOptions> FillArguments::options() const {
-  FillOptions chosen;
   const auto layoutKind = text::layoutFrom(layout);
-  const auto energyKind = text::energyFrom(energy);
   if (!layoutKind) return fail(unknown("--layout", layout));
-  if (!energyKind) return fail(unknown("--energy", energy));
-  chosen.layout = *layoutKind;
-  chosen.energy = *energyKind;
-  const auto tolerance = picks.tolerance();
-  if (!tolerance) return fail(tolerance.error());
-  chosen.tolerance = *tolerance;
-  chosen.degree = degree;
-  chosen.maxPoles = maxPoles;
-  chosen.guidance.lambda = lambda;
-  chosen.guidance.gamma = gamma;
+  auto chosen = solve.options(picks.tolerance());
+  if (!chosen) return chosen;
+  chosen->layout = *layoutKind;
+  chosen->guidance.lambda = lambda;
+  chosen->guidance.gamma = gamma;
   if (!guide.empty()) {
     auto handles = readGuide(guide);
     if (!handles) return fail(handles.error());
-    chosen.guidance.handles = std::move(*handles);
+    chosen->guidance.handles = std::move(*handles);
   }
   if (!reference.empty()) {
     const auto faces = occt::readShape(reference);
     if (!faces) return fail(faces.error());
     auto nearest = occt::referenceOn(*faces);
     if (!nearest) return fail(nearest.error());
-    chosen.guidance.reference = std::move(*nearest);
+    chosen->guidance.reference = std::move(*nearest);
   }
-  if (const auto error = validate(chosen)) return fail(*error);
+  if (const auto error = validate(*chosen)) return fail(*error);
   return chosen;
 }
 
@@ -163,10 +180,6 @@ Result<std::vector<InnerConstraint>> FillArguments::innerConstraints(
   if (!parts) return fail(parts.error());
   all.insert(all.end(), parts->begin(), parts->end());
   return all;
-}
-
-Result<occt::ResultMode> FillArguments::mode() const {
-  return modeFrom(result);
 }
 
 void ReportArguments::addTo(CLI::App& command) {

@@ -31,21 +31,32 @@ struct PickArguments {
   [[nodiscard]] Result<Tolerance> tolerance() const;
 };
 
-struct FillArguments {
+/// What every command that makes faces takes.
+struct SolveArguments {
   std::string shape, out, report;
+  std::string energy{text::word(FillOptions{}.energy)}, result = "patches";
+  int degree = 0, maxPoles = FillOptions{}.maxPoles;
+
+  void addFiles(CLI::App& command, const char* whatShape);
+  void addChoices(CLI::App& command);
+  /// Fails with UnknownChoice and with what the tolerance failed with.
+  [[nodiscard]] Result<FillOptions> options(const Result<Tolerance>& tolerance) const;
+  [[nodiscard]] Result<occt::ResultMode> mode() const;
+};
+
+struct FillArguments {
+  SolveArguments solve;
   PickArguments picks;
-  std::string layout = "auto", energy{text::word(FillOptions{}.energy)}, result = "patches";
+  std::string layout = "auto";
   std::vector<std::string> through, throughEdges, throughVertices;
   bool outer = false;
   double lambda = 0.0, gamma = 0.0;
   std::string reference, guide;
-  int degree = 0, maxPoles = FillOptions{}.maxPoles;
 
   void addTo(CLI::App& command);
   /// Reads the reference and the guide file, too. Fails with UnknownChoice, the codes of
   /// validate(), readShape() and readGuide().
   [[nodiscard]] Result<FillOptions> options() const;
-  [[nodiscard]] Result<occt::ResultMode> mode() const;
   /// What the patches must pass through. Fails with UnknownChoice, EdgeOutOfRange, VertexOutOfRange
   /// and the codes of readThrough().
   [[nodiscard]] Result<std::vector<InnerConstraint>> innerConstraints(
@@ -54,13 +65,11 @@ struct FillArguments {
 
 /// A blend: two sides, or edges that make them.
 struct BlendArguments {
-  std::string shape, out, report;
+  SolveArguments solve;
   std::vector<std::string> edges, from, to, edgeContinuity;
   std::string continuity = "G1";
-  std::string energy{text::word(FillOptions{}.energy)}, result = "patches";
   std::optional<double> gap, angle;
   double reachFrom = 1.0, reachTo = 1.0;
-  int degree = 0, maxPoles = FillOptions{}.maxPoles;
 
   void addTo(CLI::App& command);
   /// Fails with UnknownChoice, TooManyChains where `edges` are not two chains, and the codes of
@@ -68,7 +77,6 @@ struct BlendArguments {
   [[nodiscard]] Result<occt::BlendPicks> picks(const occt::ShapeIndex& index) const;
   /// Fails with UnknownChoice and the codes of validate().
   [[nodiscard]] Result<BlendOptions> options() const;
-  [[nodiscard]] Result<occt::ResultMode> mode() const;
 };
 
 struct ReportArguments {

@@ -7,8 +7,7 @@
 namespace fairing::cli {
 
 void BlendArguments::addTo(CLI::App& command) {
-  command.add_option("SHAPE", shape, "the shape with the edges, .brep or .step")->required();
-  command.add_option("-o,--out", out, "where the result goes, .brep or .step")->required();
+  solve.addFiles(command, "the shape with the edges, .brep or .step");
   addList(
       command, "--from", from, "edges of one side, FreeCAD's numbers; one of a chain is enough");
   addList(command, "--to", to, "edges of the other side");
@@ -16,21 +15,13 @@ void BlendArguments::addTo(CLI::App& command) {
   command.add_option(
       "--continuity", continuity, "G0, G1 or G2 to every face beside the blend (default G1)");
   addList(command, "--edge-continuity", edgeContinuity, "of single edges, such as 7=G0,9=G2");
-  command.add_option("--energy",
-                     energy,
-                     "thin-plate, membrane or mean-curvature-gradient (default " + energy + ")");
   command.add_option("--reach-from",
                      reachFrom,
                      "how far the blend reaches on the first side; 1 = what the energy likes best");
   command.add_option("--reach-to", reachTo, "the same on the other side");
   command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the blend's diagonal)");
   command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
-  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
-  command.add_option("--max-poles",
-                     maxPoles,
-                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
-  command.add_option("--result", result, "patches, shell or base (default patches)");
-  command.add_option("--report", report, "JSON file for the numbers");
+  solve.addChoices(command);
 }
 
 Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) const {
@@ -62,22 +53,11 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
 }
 
 Result<BlendOptions> BlendArguments::options() const {
-  BlendOptions chosen;
-  const auto energyKind = text::energyFrom(energy);
-  if (!energyKind) return fail(unknown("--energy", energy));
-  const auto tolerance = toleranceFrom(gap, angle);
-  if (!tolerance) return fail(tolerance.error());
-  chosen.fill.energy = *energyKind;
-  chosen.fill.tolerance = *tolerance;
-  chosen.fill.degree = degree;
-  chosen.fill.maxPoles = maxPoles;
-  chosen.reach = {reachFrom, reachTo};
+  auto common = solve.options(toleranceFrom(gap, angle));
+  if (!common) return fail(common.error());
+  BlendOptions chosen{std::move(*common), {reachFrom, reachTo}};
   if (const auto error = validate(chosen)) return fail(*error);
   return chosen;
-}
-
-Result<occt::ResultMode> BlendArguments::mode() const {
-  return modeFrom(result);
 }
 
 }  // namespace fairing::cli

@@ -20,13 +20,13 @@ struct Job {
 };
 
 Result<Job> prepare(const BlendArguments& arguments) {
-  const auto mode = arguments.mode();
+  const auto mode = arguments.solve.mode();
   if (!mode) return fail(mode.error());
   const auto options = arguments.options();
   if (!options) return fail(options.error());
-  if (const auto writable = checkOutputs(arguments.out, arguments.report); !writable)
+  if (const auto writable = checkOutputs(arguments.solve.out, arguments.solve.report); !writable)
     return fail(writable.error());
-  const auto shape = occt::readShape(arguments.shape);
+  const auto shape = occt::readShape(arguments.solve.shape);
   if (!shape) return fail(shape.error());
   Job job{*options, *mode, occt::ShapeIndex(*shape), {}};
   if (job.index.edgeCount() == 0) return fail({.code = ErrorCode::ShapeEmpty});
@@ -43,17 +43,17 @@ Outcome runBlend(const BlendArguments& arguments) {
   if (!job) return complain(job.error());
   const auto blended = occt::blendShape(job->index, job->picks, job->options, job->mode);
   if (!blended) return complain(blended.error());
-  const auto written = occt::writeShape(blended->shape, arguments.out);
+  const auto written = occt::writeShape(blended->shape, arguments.solve.out);
   if (!written) return complain(written.error());
   const FillResult& result = blended->fill;
   fmt::print("{}\n{}{}\n",
              text::verdict(result.report),
              text::table(result.report),
              text::composition(result));
-  if (!arguments.report.empty()) {
+  if (!arguments.solve.report.empty()) {
     const nlohmann::json report = {{"within_tolerance", result.report.withinTolerance},
                                    {"blend", text::toJson(result)}};
-    if (const auto told = writeJson(report, arguments.report); !told) complain(told.error());
+    if (const auto told = writeJson(report, arguments.solve.report); !told) complain(told.error());
   }
   return result.report.withinTolerance ? Outcome::WithinTolerance : Outcome::OutOfTolerance;
 }

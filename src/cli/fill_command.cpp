@@ -28,13 +28,13 @@ struct Job {
 Result<Job> prepare(const FillArguments& arguments) {
   const auto picks = arguments.picks.picks();
   if (!picks) return fail(picks.error());
-  const auto mode = arguments.mode();
+  const auto mode = arguments.solve.mode();
   if (!mode) return fail(mode.error());
   auto options = arguments.options();
   if (!options) return fail(options.error());
-  if (const auto writable = checkOutputs(arguments.out, arguments.report); !writable)
+  if (const auto writable = checkOutputs(arguments.solve.out, arguments.solve.report); !writable)
     return fail(writable.error());
-  const auto shape = occt::readShape(arguments.shape);
+  const auto shape = occt::readShape(arguments.solve.shape);
   if (!shape) return fail(shape.error());
   Job job{std::move(*options), *mode, occt::ShapeIndex(*shape), {}};
   if (job.index.edgeCount() == 0) return fail({.code = ErrorCode::ShapeEmpty});
@@ -110,12 +110,12 @@ Outcome runFill(const FillArguments& arguments) {
   if (std::none_of(filled.begin(), filled.end(), isFilled)) return complainOnce(filled);
   const auto all = occt::joinHoles(job->index, std::move(filled), job->mode);
   if (!all) return complain(all.error());
-  const auto written = occt::writeShape(all->shape, arguments.out);
+  const auto written = occt::writeShape(all->shape, arguments.solve.out);
   if (!written) return complain(written.error());
   tell(all->holes);
   complainOfFailures(all->holes);
-  if (!arguments.report.empty()) {
-    if (const auto told = writeJson(reportOf(*all), arguments.report); !told)
+  if (!arguments.solve.report.empty()) {
+    if (const auto told = writeJson(reportOf(*all), arguments.solve.report); !told)
       complain(told.error());
   }
   return all->withinTolerance() ? Outcome::WithinTolerance : Outcome::OutOfTolerance;

@@ -14,18 +14,6 @@ namespace {
 
 using occt::ShapeIndex;
 
-BlendOptions optionsOf(const std::string& energy,
-                       const Tolerance& tolerance,
-                       int degree,
-                       int maxPoles) {
-  BlendOptions options;
-  options.fill.energy = choice(text::energyFrom, "energy", energy);
-  options.fill.tolerance = tolerance;
-  options.fill.degree = degree;
-  options.fill.maxPoles = maxPoles;
-  return options;
-}
-
 occt::ShapeFill blend(const ShapeIndex& shape,
                       std::vector<int> from,
                       std::vector<int> to,
@@ -44,13 +32,11 @@ occt::ShapeFill blend(const ShapeIndex& shape,
                                .to = std::move(to),
                                .continuity = continuityOf(continuity),
                                .edgeContinuity = continuitiesOf(wishes.value_or(Wishes{}))};
-  BlendOptions options = optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles);
-  options.reach = {fromReach, toReach};
+  const BlendOptions options{optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles),
+                             {fromReach, toReach}};
   const occt::ResultMode mode = choice(occt::resultModeFrom, "result", result);
   const py::gil_scoped_release release;
-  auto made = occt::blendShape(shape, picks, options, mode, progress);
-  if (made && progress != nullptr) progress->setFraction(1.0);
-  return valueOf(std::move(made));
+  return finished(occt::blendShape(shape, picks, options, mode, progress), progress);
 }
 
 std::vector<std::vector<int>> chains(const ShapeIndex& shape, const std::vector<int>& edges) {

@@ -16,19 +16,16 @@ namespace {
 
 using occt::ShapeIndex;
 
-FillOptions optionsOf(const std::string& layout,
-                      const std::string& energy,
-                      energy::Guidance guidance,
-                      const Tolerance& tolerance,
-                      int degree,
-                      int maxPoles) {
-  FillOptions options;
-  options.layout = choice(text::layoutFrom, "layout", layout);
-  options.energy = choice(text::energyFrom, "energy", energy);
+FillOptions fillOptionsOf(const std::string& layout,
+                          const std::string& energy,
+                          energy::Guidance guidance,
+                          const Tolerance& tolerance,
+                          int degree,
+                          int maxPoles) {
+  const LayoutKind kind = choice(text::layoutFrom, "layout", layout);
+  FillOptions options = optionsOf(energy, tolerance, degree, maxPoles);
+  options.layout = kind;
   options.guidance = std::move(guidance);
-  options.tolerance = tolerance;
-  options.degree = degree;
-  options.maxPoles = maxPoles;
   return options;
 }
 
@@ -57,18 +54,16 @@ occt::ShapeFill fill(const ShapeIndex& shape,
                           .continuity = continuityOf(continuity),
                           .edgeContinuity = continuitiesOf(wishes),
                           .directions = directionsOf(tangents, symmetry)};
-  FillOptions options = optionsOf(layout,
-                                  energy,
-                                  guidanceOf(lambda, gamma, reference, guide),
-                                  toleranceOf(tolerance, angle),
-                                  degree,
-                                  maxPoles);
+  FillOptions options = fillOptionsOf(layout,
+                                      energy,
+                                      guidanceOf(lambda, gamma, reference, guide),
+                                      toleranceOf(tolerance, angle),
+                                      degree,
+                                      maxPoles);
   options.through = throughOf(through);
   const occt::ResultMode mode = choice(occt::resultModeFrom, "result", result);
   const py::gil_scoped_release release;
-  auto made = occt::fillShape(shape, picks, options, mode, progress);
-  if (made && progress != nullptr) progress->setFraction(1.0);
-  return valueOf(std::move(made));
+  return finished(occt::fillShape(shape, picks, options, mode, progress), progress);
 }
 
 occt::AllFilled fillAll(const ShapeIndex& shape,
@@ -95,12 +90,12 @@ occt::AllFilled fillAll(const ShapeIndex& shape,
                                .continuity = continuityOf(continuity),
                                .edgeContinuity = continuitiesOf(wishes),
                                .directions = directionsOf(tangents, symmetry)};
-  const FillOptions options = optionsOf(layout,
-                                        energy,
-                                        guidanceOf(lambda, gamma, reference, guide),
-                                        toleranceOf(tolerance, angle),
-                                        degree,
-                                        maxPoles);
+  const FillOptions options = fillOptionsOf(layout,
+                                            energy,
+                                            guidanceOf(lambda, gamma, reference, guide),
+                                            toleranceOf(tolerance, angle),
+                                            degree,
+                                            maxPoles);
   const occt::ResultMode mode = choice(occt::resultModeFrom, "result", result);
   const py::gil_scoped_release release;
   return valueOf(occt::fillAll(shape, holes, options, mode, progress));

@@ -59,6 +59,18 @@ Tolerance toleranceOf(std::optional<double> gap, double angle) {
   return tolerance;
 }
 
+FillOptions optionsOf(const std::string& energy,
+                      const Tolerance& tolerance,
+                      int degree,
+                      int maxPoles) {
+  FillOptions options;
+  options.energy = choice(text::energyFrom, "energy", energy);
+  options.tolerance = tolerance;
+  options.degree = degree;
+  options.maxPoles = maxPoles;
+  return options;
+}
+
 energy::Guidance guidanceOf(double lambda,
                             double gamma,
                             const std::optional<py::bytes>& reference,

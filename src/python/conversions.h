@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/span/fill_options.h"
 #include "occt/picks.h"
 #include "python/error_to_python.h"
@@ -32,6 +33,13 @@ auto choice(Parse parse, const char* option, const std::string& word) {
   return *found;
 }
 
+/// A result that is there has taken all of its time. Throws what the result failed with.
+template <class T>
+T finished(Result<T> made, Progress* progress) {
+  if (made && progress != nullptr) progress->setFraction(1.0);
+  return valueOf(std::move(made));
+}
+
 [[nodiscard]] Continuity continuityOf(const std::string& word);
 [[nodiscard]] std::map<int, Continuity> continuitiesOf(const Wishes& wishes);
 [[nodiscard]] std::map<int, occt::EdgeDirection> directionsOf(const Directions& tangents,
@@ -40,6 +48,12 @@ auto choice(Parse parse, const char* option, const std::string& word) {
 /// A gap tolerance that is given has to be positive; the core reads 0 as "a millionth of the
 /// diagonal".
 [[nodiscard]] Tolerance toleranceOf(std::optional<double> gap, double angle);
+
+/// What fills and blends have in common of their options.
+[[nodiscard]] FillOptions optionsOf(const std::string& energy,
+                                    const Tolerance& tolerance,
+                                    int degree,
+                                    int maxPoles);
 
 /// `guide`: dicts {"point": (x, y, z), "normal": (x, y, z), "weight": w, "radius": mm}; weight may
 /// be left out. `reference`: BREP of the faces that guide.
