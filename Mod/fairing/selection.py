@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Optional
+from typing import Callable, Optional
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -21,8 +21,12 @@ class Picks:
     names: tuple[str, ...]
 
 
-def is_empty() -> bool:
-    return not Gui.Selection.hasSelection()
+def can_start(understood: Callable[[], object]) -> bool:
+    """Whether a command that opens a panel may start: with a selection it understands, or none while there is something
+    to pick."""
+    if not App.ActiveDocument or Gui.Control.activeDialog():
+        return False
+    return bool(understood()) if Gui.Selection.hasSelection() else has_shapes(App.ActiveDocument)
 
 
 def current_picks() -> Optional[Picks]:

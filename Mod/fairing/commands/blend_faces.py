@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-import FreeCAD as App
-import FreeCADGui as Gui
-
 from .. import native, selection
 from ..features.blend_picks import two_sides
 from ..translation import NOOP, translate
@@ -25,11 +22,7 @@ class BlendFacesCommand:
 
     def IsActive(self) -> bool:
         """FreeCAD asks several times a second."""
-        if not App.ActiveDocument or Gui.Control.activeDialog():
-            return False
-        if selection.is_empty():
-            return selection.has_shapes(App.ActiveDocument)
-        return bool(selection.current_edges())
+        return selection.can_start(selection.current_edges)
 
     def Activated(self) -> None:
         from ..panels.blend_panel import BlendPanel

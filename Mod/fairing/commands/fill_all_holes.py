@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-import FreeCAD as App
-import FreeCADGui as Gui
-
 from .. import selection
 from ..translation import NOOP
 
@@ -24,11 +21,7 @@ class FillAllHolesCommand:
 
     def IsActive(self) -> bool:
         """FreeCAD asks several times a second."""
-        if not App.ActiveDocument or Gui.Control.activeDialog():
-            return False
-        if selection.is_empty():
-            return selection.has_shapes(App.ActiveDocument)
-        return selection.current_base() is not None
+        return selection.can_start(selection.current_base)
 
     def Activated(self) -> None:
         from ..panels.fill_all_panel import FillAllPanel

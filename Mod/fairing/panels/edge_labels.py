@@ -8,11 +8,11 @@ from typing import Callable
 
 from pivy import coin
 
-from .viewers import viewer_of, viewport_of
+from .scene_mouse import SceneMouse
+from .viewers import viewport_of
 
 TEXT_SIZE = 13  # pixels
 PICK_RADIUS = 3.0  # pixels
-KEEPS_EVENTS = ("Inventor", "OpenSCAD")  # navigation styles that keep the mouse from the scene unless told otherwise
 
 
 @dataclasses.dataclass(frozen=True)
@@ -29,11 +29,13 @@ class EdgeLabels:
     on_click(edge, with_shift) when one is clicked, on_hover(edge) when the mouse comes over one.
     """
 
-    def __init__(self, view, on_click: Callable[[int, bool], None], on_hover: Callable[[int], None]):
-        self._view, self._on_click, self._on_hover = view, on_click, on_hover
+    def __init__(self, mouse: SceneMouse, on_click: Callable[[int, bool], None], on_hover: Callable[[int], None]):
+        self._mouse, self._on_click, self._on_hover = mouse, on_click, on_hover
+        view = self._view = mouse.view
         self._root = coin.SoAnnotation()
         self._transform = coin.SoTransform()
         self._root.addChild(self._transform)
+        self._labels: list[Label] = []
         self._boxes: dict[int, coin.SoSeparator] = {}
         self._pressed = self._hovered = 0
         # removal goes by identity
@@ -49,6 +51,9 @@ class EdgeLabels:
         self._transform.rotation = coin.SbRotation(*placement.Rotation.Q)
 
     def show(self, labels: list[Label]) -> None:
+        if labels == self._labels:
+            return
+        self._labels = labels
         self._root.removeAllChildren()
         self._root.addChild(self._transform)
         self._boxes = {label.edge: _box(label) for label in labels}
@@ -59,7 +64,7 @@ class EdgeLabels:
         if self._root is None:
             return
         try:
-            self._take_mouse(False)
+            self._mouse.want(self, False)
             for kind, callback in self._callbacks:
                 self._view.removeEventCallbackPivy(kind, callback)
             self._view.getSceneGraph().removeChild(self._root)
@@ -72,7 +77,7 @@ class EdgeLabels:
         if edge == self._hovered:
             return
         self._hovered = edge
-        self._take_mouse(edge != 0)
+        self._mouse.want(self, edge != 0)
         if edge:
             self._on_hover(edge)
 
@@ -108,11 +113,6 @@ class EdgeLabels:
         edges = [edge for edge, box in self._boxes.items() if picked and picked.getPath().containsNode(box)]
         scene.unref()
         return edges[0] if edges else 0
-
-    def _take_mouse(self, take: bool) -> None:
-        """Whether the scene gets the mouse before the navigation does."""
-        style = self._view.getNavigationType()
-        viewer_of(self._view).setRedirectToSceneGraph(take or any(name in style for name in KEEPS_EVENTS))
 
 
 def _box(label: Label):

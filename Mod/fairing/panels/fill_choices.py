@@ -10,7 +10,7 @@ from .. import subelements
 from ..choices import ENERGIES, LAYOUTS, RESULTS
 from ..translation import translate
 from .quantities import show_quantity
-from .weight_slider import WeightSlider
+from .sliders import WeightSlider
 
 ANGLE_STEP = 0.01  # degrees, of the arrows beside the number
 TYPING_PAUSE = 250  # ms without a key before a typed number counts

@@ -11,6 +11,7 @@ from .edge_labels import EdgeLabels, Label
 from .fill_session import FillSession
 from .preview import Preview
 from .quantities import deviation_text
+from .scene_mouse import SceneMouse
 from .status import Status
 
 
@@ -21,10 +22,15 @@ class FillDisplay:
                  on_hover: Callable[[int], None]):
         self._session = session
         self._preview = Preview(view, settings.patch_color())
-        self._labels = EdgeLabels(view, on_click, on_hover)
+        self._mouse = SceneMouse(view)
+        self._put_up_handles()
+        self._labels = EdgeLabels(self._mouse, on_click, on_hover)
         self._report: Optional[dict] = None
         self._with_labels = True
         self._pointed = 0
+
+    def _put_up_handles(self) -> None:
+        """What takes clicks below the labels, where there is anything."""
 
     def show_labels(self, shown: bool) -> None:
         self._with_labels = shown

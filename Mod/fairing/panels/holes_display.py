@@ -12,6 +12,7 @@ from . import status
 from .edge_labels import EdgeLabels, Label
 from .fill_all_session import FillAllSession
 from .preview import Preview
+from .scene_mouse import SceneMouse
 
 
 class HolesDisplay:
@@ -20,7 +21,7 @@ class HolesDisplay:
     def __init__(self, view, session: FillAllSession, on_click: Callable[[int], None]):
         self._session = session
         self._preview = Preview(view, settings.patch_color())
-        self._labels = EdgeLabels(view, lambda number, _: on_click(number - 1), lambda number: None)
+        self._labels = EdgeLabels(SceneMouse(view), lambda number, _: on_click(number - 1), lambda number: None)
         self._lines: list[list[np.ndarray]] = []  # hole by hole
         self._fills: list = []
         self._with_labels = True

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The mouse over what the panels put into the 3D view: where it points, and who gets it first."""
+
+from __future__ import annotations
+
+from pivy import coin
+
+from .viewers import viewer_of, viewport_of
+
+KEEPS_EVENTS = ("Inventor", "OpenSCAD")  # navigation styles that keep the mouse from the scene unless told otherwise
+
+
+class SceneMouse:
+    """Shared by all that takes clicks in one view: the scene gets the mouse before the navigation does while any of
+    them wants it."""
+
+    def __init__(self, view):
+        self.view = view
+        self._wanted: set[int] = set()
+
+    def want(self, who, wants: bool) -> None:
+        (self._wanted.add if wants else self._wanted.discard)(id(who))
+        style = self.view.getNavigationType()
+        viewer_of(self.view).setRedirectToSceneGraph(bool(self._wanted) or any(name in style for name in KEEPS_EVENTS))
+
+    def view_volume(self):
+        region = viewport_of(self.view)
+        return self.view.getCameraNode().getViewVolume(region.getViewportAspectRatio())
+
+    def on_screen(self, point) -> tuple[float, float]:
+        """A point of the document in pixels."""
+        width, height = viewport_of(self.view).getViewportSizePixels().getValue()
+        x, y, _ = self.view_volume().projectToScreen(coin.SbVec3f(*point)).getValue()
+        return x * width, y * height
+
+    def ray(self, event) -> tuple[tuple, tuple]:
+        """(start, direction) of the line of points under the mouse, in the document's coordinates."""
+        position = event.getNormalizedPosition(viewport_of(self.view))
+        near, far = self.view_volume().projectPointToLine(position)
+        return near.getValue(), (far - near).getValue()
+
+    def pixel_size(self, point) -> float:
+        """Millimetres of a pixel at a point."""
+        height = viewport_of(self.view).getViewportSizePixels().getValue()[1]
+        return self.view_volume().getWorldToScreenScale(coin.SbVec3f(*point), 1.0 / height)
