@@ -92,7 +92,7 @@ class Shape:
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,
-        max_poles: int = 2500,
+        max_poles: int = 4000,
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> Fill: ...
@@ -113,7 +113,7 @@ class Shape:
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,
-        max_poles: int = 2500,
+        max_poles: int = 4000,
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> FillAll: ...
@@ -130,7 +130,7 @@ class Shape:
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,
-        max_poles: int = 2500,
+        max_poles: int = 4000,
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> Fill: ...

@@ -72,7 +72,7 @@ struct BlendArguments {
   double reachFrom = 1.0, reachTo = 1.0;
 
   void addTo(CLI::App& command);
-  /// Fails with UnknownChoice, TooManyChains where `edges` are not two chains, and the codes of
+  /// Fails with UnknownChoice, OneSideOnly where `edges` are one chain, and the codes of
   /// groupEdges().
   [[nodiscard]] Result<occt::BlendPicks> picks(const occt::ShapeIndex& index) const;
   /// Fails with UnknownChoice and the codes of validate().

@@ -11,7 +11,10 @@ void BlendArguments::addTo(CLI::App& command) {
   addList(
       command, "--from", from, "edges of one side, FreeCAD's numbers; one of a chain is enough");
   addList(command, "--to", to, "edges of the other side");
-  addList(command, "--edges", edges, "in place of --from and --to: edges that make two chains");
+  addList(command,
+          "--edges",
+          edges,
+          "in place of --from and --to: edges of two chains, or of three and more closed ones");
   command.add_option(
       "--continuity", continuity, "G0, G1 or G2 to every face beside the blend (default G1)");
   addList(command, "--edge-continuity", edgeContinuity, "of single edges, such as 7=G0,9=G2");
@@ -45,10 +48,10 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
     return fail(unknown("--edges", "it stands in place of --from and --to"));
   auto groups = occt::groupEdges(index, *all);
   if (!groups) return fail(groups.error());
-  if (groups->size() != 2)
-    return fail({.code = ErrorCode::TooManyChains, .value = double(groups->size())});
+  if (groups->size() < 2) return fail({.code = ErrorCode::OneSideOnly, .detail = "to"});
   picks.from = groups->front();
-  picks.to = groups->back();
+  for (std::size_t k = 1; k < groups->size(); ++k)
+    picks.to.insert(picks.to.end(), (*groups)[k].begin(), (*groups)[k].end());
   return picks;
 }
 

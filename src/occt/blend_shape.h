@@ -6,8 +6,9 @@
 
 namespace fairing::occt {
 
-/// The whole way: chains, strip, faces, result. `loop` of what comes back holds both chains. Fails
-/// with the codes of readChains(), blendChains() and joinResult().
+/// The whole way: chains, strip or junction, faces, result. `loop` of what comes back holds all
+/// chains. Fails with the codes of readChains(), readLoops(), blendChains(), blendLoops() and
+/// joinResult().
 [[nodiscard]] Result<ShapeFill> blendShape(const ShapeIndex& index,
                                            const BlendPicks& picks,
                                            const BlendOptions& options,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "core/boundary/ring_of_loops.h"
 #include "occt/border_graph.h"
 #include "occt/guarded.h"
 #include "occt/read_side.h"
@@ -135,50 +136,102 @@ std::optional<Error> checkSides(const BlendPicks& picks) {
   return std::nullopt;
 }
 
+/// Edges grouped into chains that connect, each ascending, by their lowest edges.
+Result<std::vector<std::vector<int>>> groupsOf(const ShapeIndex& index,
+                                               const BorderGraph& graph,
+                                               const std::vector<int>& edges) {
+  auto left = pickedPositions(index, graph, edges);
+  if (!left) return fail(left.error());
+  std::vector<std::vector<int>> groups;
+  while (!left->empty()) {
+    std::vector<int> pending{*left->begin()}, group;
+    left->erase(left->begin());
+    while (!pending.empty()) {
+      const BorderEdge& e = graph.edges()[std::size_t(pending.back())];
+      pending.pop_back();
+      group.push_back(e.edge);
+      for (const int node : e.nodes)
+        for (const int position : graph.at(node))
+          if (left->erase(position) > 0) pending.push_back(position);
+    }
+    std::sort(group.begin(), group.end());
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// A chain a group of picks; none goes on into another.
+Result<std::vector<SideChain>> chainsOf(const ShapeIndex& index,
+                                        const BorderGraph& graph,
+                                        const std::vector<std::vector<int>>& groups,
+                                        const Picks& picks) {
+  std::vector<ChainBuilder> builders;
+  for (const std::vector<int>& group : groups) {
+    const auto positions = pickedPositions(index, graph, group);
+    if (!positions) return fail(positions.error());
+    builders.emplace_back(index, graph, *positions);
+    if (const auto broken = builders.back().connect()) return fail(*broken);
+  }
+  std::vector<SideChain> chains;
+  for (ChainBuilder& builder : builders) {
+    std::set<int> others;
+    for (const ChainBuilder& other : builders)
+      if (&other != &builder) others.merge(other.positions());
+    builder.extend(others);
+    chains.push_back(builder.finish(picks));
+  }
+  return chains;
+}
+
 }  // namespace
 
 Result<boundary::ChainPair> readChains(const ShapeIndex& index, const BlendPicks& picks) {
   return guarded([&]() -> Result<boundary::ChainPair> {
     if (const auto wrong = checkSides(picks)) return fail(*wrong);
     const BorderGraph graph = BorderGraph::build(index, {});
-    const auto from = pickedPositions(index, graph, picks.from);
-    if (!from) return fail(from.error());
-    const auto to = pickedPositions(index, graph, picks.to);
-    if (!to) return fail(to.error());
-    ChainBuilder first(index, graph, *from), second(index, graph, *to);
-    if (const auto broken = first.connect()) return fail(*broken);
-    if (const auto broken = second.connect()) return fail(*broken);
-    first.extend(second.positions());
-    second.extend(first.positions());
-    auto pair = boundary::pairChains(first.finish(picksOf(picks)), second.finish(picksOf(picks)));
+    const auto chains = chainsOf(index, graph, {picks.from, picks.to}, picksOf(picks));
+    if (!chains) return fail(chains.error());
+    auto pair = boundary::pairChains(chains->front(), chains->back());
     if (!pair) return pair;
     if (const auto stray = strayWish(picksOf(picks), pair->sides.sides)) return fail(*stray);
     return pair;
   });
 }
 
+Result<boundary::BoundaryLoop> readLoops(const ShapeIndex& index, const BlendPicks& picks) {
+  return guarded([&]() -> Result<boundary::BoundaryLoop> {
+    if (const auto wrong = checkSides(picks)) return fail(*wrong);
+    const BorderGraph graph = BorderGraph::build(index, {});
+    auto groups = groupsOf(index, graph, picks.to);
+    if (!groups) return fail(groups.error());
+    groups->insert(groups->begin(), picks.from);
+    const auto chains = chainsOf(index, graph, *groups, picksOf(picks));
+    if (!chains) return fail(chains.error());
+    auto loop = boundary::ringOfLoops(*chains);
+    if (!loop) return loop;
+    if (const auto stray = strayWish(picksOf(picks), loop->sides)) return fail(*stray);
+    return loop;
+  });
+}
+
+Result<bool> meansJunction(const ShapeIndex& index, const BlendPicks& picks) {
+  return guarded([&]() -> Result<bool> {
+    if (picks.from.empty() || picks.to.empty()) return false;
+    const BorderGraph graph = BorderGraph::build(index, {});
+    const auto groups = groupsOf(index, graph, picks.to);
+    if (!groups) return fail(groups.error());
+    if (groups->size() < 2) return false;
+    const auto chains = chainsOf(index, graph, *groups, picksOf(picks));
+    return chains && std::all_of(chains->begin(), chains->end(), [](const SideChain& chain) {
+             return chain.closed;
+           });
+  });
+}
+
 Result<std::vector<std::vector<int>>> groupEdges(const ShapeIndex& index,
                                                  const std::vector<int>& edges) {
   return guarded([&]() -> Result<std::vector<std::vector<int>>> {
-    const BorderGraph graph = BorderGraph::build(index, {});
-    auto left = pickedPositions(index, graph, edges);
-    if (!left) return fail(left.error());
-    std::vector<std::vector<int>> groups;
-    while (!left->empty()) {
-      std::vector<int> pending{*left->begin()}, group;
-      left->erase(left->begin());
-      while (!pending.empty()) {
-        const BorderEdge& e = graph.edges()[std::size_t(pending.back())];
-        pending.pop_back();
-        group.push_back(e.edge);
-        for (const int node : e.nodes)
-          for (const int position : graph.at(node))
-            if (left->erase(position) > 0) pending.push_back(position);
-      }
-      std::sort(group.begin(), group.end());
-      groups.push_back(std::move(group));
-    }
-    return groups;
+    return groupsOf(index, BorderGraph::build(index, {}), edges);
   });
 }
 

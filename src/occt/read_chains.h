@@ -25,6 +25,14 @@ struct BlendPicks {
 [[nodiscard]] Result<boundary::ChainPair> readChains(const ShapeIndex& index,
                                                      const BlendPicks& picks);
 
+/// Whether the picks mean a junction: edges of the second side that make several closed chains.
+[[nodiscard]] Result<bool> meansJunction(const ShapeIndex& index, const BlendPicks& picks);
+
+/// The closed chains of both sides' picks as a ring, each extended as readChains() does. Fails with
+/// its codes and those of boundary::ringOfLoops().
+[[nodiscard]] Result<boundary::BoundaryLoop> readLoops(const ShapeIndex& index,
+                                                       const BlendPicks& picks);
+
 /// Edges grouped into chains that connect, each ascending, by their lowest edges.
 [[nodiscard]] Result<std::vector<std::vector<int>>> groupEdges(const ShapeIndex& index,
                                                                const std::vector<int>& edges);

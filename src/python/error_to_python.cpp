@@ -78,8 +78,8 @@ const char* name(ErrorCode code) {
       return "ChainsUnlike";
     case ErrorCode::EdgeOnBothSides:
       return "EdgeOnBothSides";
-    case ErrorCode::TooManyChains:
-      return "TooManyChains";
+    case ErrorCode::JunctionReach:
+      return "JunctionReach";
     case ErrorCode::OneSideOnly:
       return "OneSideOnly";
     case ErrorCode::ReachNotPositive:

@@ -185,8 +185,11 @@ std::string blendSentence(const Error& e) {
           "One side of the blend is closed, the side of edge {} is open: pick two closed "
           "sides or two open ones.",
           e.edge);
-    case ErrorCode::TooManyChains:
-      return fmt::format("The edges make {} separate chains: a blend joins two.", count(e));
+    case ErrorCode::JunctionReach:
+      return fmt::format(
+          "A junction of three loops or more reaches as far as its energy likes best: leave the "
+          "reach at 1, not {}.",
+          e.value);
     default:
       return fmt::format("The reach must be above 0, not {}.", e.value);
   }
@@ -268,7 +271,7 @@ std::string sentence(const Error& error) {
     case ErrorCode::ChainBranches:
     case ErrorCode::ChainTurns:
     case ErrorCode::ChainsUnlike:
-    case ErrorCode::TooManyChains:
+    case ErrorCode::JunctionReach:
     case ErrorCode::ReachNotPositive:
       return blendSentence(error);
     case ErrorCode::FileUnreadable:

@@ -16,11 +16,12 @@ constexpr Words<EnergyKind, 3> kEnergies{
     {{EnergyKind::Membrane, "membrane"},
      {EnergyKind::ThinPlate, "thin-plate"},
      {EnergyKind::MeanCurvatureGradient, "mean-curvature-gradient"}}};
-constexpr Words<LayoutKind, 6> kLayouts{{{LayoutKind::Auto, "auto"},
+constexpr Words<LayoutKind, 7> kLayouts{{{LayoutKind::Auto, "auto"},
                                          {LayoutKind::Quad, "quad"},
                                          {LayoutKind::Star, "star"},
                                          {LayoutKind::OGrid, "o-grid"},
                                          {LayoutKind::Strip, "strip"},
+                                         {LayoutKind::Junction, "junction"},
                                          {LayoutKind::Trimmed, "trimmed"}}};
 
 template <class T, std::size_t n>

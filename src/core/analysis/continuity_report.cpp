@@ -119,7 +119,7 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
     CornerReport entry;
     entry.point = corner.point;
     entry.edgeBefore = loop.sides[k].edge;
-    entry.edgeAfter = loop.sides[(k + 1) % loop.sides.size()].edge;
+    entry.edgeAfter = loop.sides[loop.next(k)].edge;
     entry.angle = corner.angle;
     entry.normalMismatch = corner.normalMismatch;
     entry.twistMismatch = corner.twistMismatch;
@@ -127,9 +127,8 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
     entry.twistsAgree = twistsAgree(corner, report.angleLimit);
     report.corners.push_back(entry);
   }
-  const std::size_t n = loop.sides.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const bool agree = twistsAgree(loop.corners[(k + n - 1) % n], report.angleLimit) &&
+  for (std::size_t k = 0; k < loop.sides.size(); ++k) {
+    const bool agree = twistsAgree(loop.corners[loop.previous(k)], report.angleLimit) &&
                        twistsAgree(loop.corners[k], report.angleLimit);
     report.sides[k].cornerAngleLimit = (agree ? 1.0 : kTwistAllowance) * report.cornerAngleLimit;
   }

@@ -87,12 +87,11 @@ LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
                     int inside,
                     int corner) {
   LoopProbe probe;
-  const std::size_t n = loop.sides.size();
   const auto isCorner = [&](std::size_t k) { return loop.corners[k].angle < kSmoothJoint; };
-  for (std::size_t k = 0; k < n; ++k)
+  for (std::size_t k = 0; k < loop.sides.size(); ++k)
     probe.sides.push_back(probeSide(loop.sides[k].ribbon,
                                     target.sides[k].ribbon,
-                                    isCorner((k + n - 1) % n),
+                                    isCorner(loop.previous(k)),
                                     isCorner(k),
                                     inside,
                                     corner));

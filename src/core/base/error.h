@@ -47,9 +47,9 @@ enum class ErrorCode {
   ChainTurns,             ///< edge, where, value = degrees: a corner within one side of a blend
   ChainsUnlike,           ///< edge of the open side: the other side of the blend is closed
   EdgeOnBothSides,        ///< edge: picked for both sides of a blend
-  TooManyChains,          ///< value = number of chains the edges of a blend make
   OneSideOnly,            ///< detail = "from" or "to": no edge picked for this side of a blend
   ReachNotPositive,       ///< value = the reach given
+  JunctionReach,          ///< value = the reach given: a junction of three loops or more has none
   LayoutUnfit,            ///< detail = "quad", "star", ...: the loop does not suit the asked layout
   // numerics
   SystemSingular,  ///< the linear system has no unique solution

@@ -76,6 +76,29 @@ double insideAngle(const BoundarySide& before, const BoundarySide& after, double
 
 }  // namespace
 
+std::vector<std::pair<std::size_t, std::size_t>> BoundaryLoop::chains() const {
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  std::size_t first = 0;
+  for (const std::size_t start : further) {
+    result.emplace_back(first, start);
+    first = start;
+  }
+  result.emplace_back(first, sides.size());
+  return result;
+}
+
+std::size_t BoundaryLoop::next(std::size_t side) const {
+  for (const auto& [first, end] : chains())
+    if (side + 1 == end) return first;
+  return side + 1;
+}
+
+std::size_t BoundaryLoop::previous(std::size_t side) const {
+  for (const auto& [first, end] : chains())
+    if (side == first) return end - 1;
+  return side - 1;
+}
+
 Corner cornerBetween(const BoundarySide& before, const BoundarySide& after) {
   const CurveSample end = before.ribbon.curve(1.0), start = after.ribbon.curve(0.0);
   Corner corner;
@@ -119,11 +142,13 @@ Result<BoundaryLoop> measureSides(std::vector<BoundarySide> sides) {
   return loop;
 }
 
-Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides) {
+Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides, std::vector<std::size_t> further) {
   auto loop = measureSides(std::move(sides));
-  for (std::size_t i = 0; loop && i < loop->sides.size(); ++i) {
+  if (!loop) return loop;
+  loop->further = std::move(further);
+  for (std::size_t i = 0; i < loop->sides.size(); ++i) {
     const BoundarySide& before = loop->sides[i];
-    loop->corners.push_back(cornerBetween(before, loop->sides[(i + 1) % loop->sides.size()]));
+    loop->corners.push_back(cornerBetween(before, loop->sides[loop->next(i)]));
     if (const auto open = checkMeeting(before, loop->corners.back(), loop->diagonal))
       return fail(*open);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -58,17 +59,28 @@ struct Corner {
 };
 
 /// A closed chain of sides, head to tail: the end of side i is the start of side i+1, the last
-/// one's end that of side 0; or two chains one after the other (side_chain.h). Seen against the
-/// support normals the hole lies to the left.
+/// one's end that of side 0; or several of them; or two chains one after the other (side_chain.h).
+/// Seen against the support normals the hole lies to the left.
 struct BoundaryLoop {
   std::vector<BoundarySide> sides;
   std::vector<Corner> corners;  ///< corners[i] is at the end of sides[i]
   double diagonal = 0.0;        ///< largest distance between two points of the sides, mm
+  /// Positions of the sides that further closed chains begin with, ascending; empty = one chain.
+  std::vector<std::size_t> further;
+
+  /// The position of the side that starts where another one ends, and of the one that ends where it
+  /// starts.
+  [[nodiscard]] std::size_t next(std::size_t side) const;
+  [[nodiscard]] std::size_t previous(std::size_t side) const;
+  /// The closed chains: the position of the first side, and the one behind the last.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> chains() const;
 };
 
 /// Completes a loop whose sides are given: corners classified, lengths and diagonal measured from
-/// the ribbons. Fails with LoopNotClosed, EdgeDegenerate, NotFinite or EdgeWithoutFace.
-[[nodiscard]] Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides);
+/// the ribbons. `further` as in BoundaryLoop. Fails with LoopNotClosed, EdgeDegenerate, NotFinite
+/// or EdgeWithoutFace.
+[[nodiscard]] Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides,
+                                            std::vector<std::size_t> further = {});
 
 /// What makeLoop() does without a look at where sides meet: the corners are left out.
 [[nodiscard]] Result<BoundaryLoop> measureSides(std::vector<BoundarySide> sides);

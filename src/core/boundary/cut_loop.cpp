@@ -12,13 +12,12 @@ constexpr double kAtEnd = 1e-9;
 
 std::vector<Stretch> stretchesBetween(const BoundaryLoop& loop, LoopPlace from, LoopPlace to) {
   std::vector<Stretch> result;
-  const std::size_t n = loop.sides.size();
   std::size_t edge = from.side;
   double start = from.t;
   if (from.side == to.side && from.t < to.t) return {{from.side, from.t, to.t, 0.0, 1.0}};
   do {
     if (1.0 - start > kAtEnd) result.push_back({edge, start, 1.0, 0.0, 1.0});
-    edge = (edge + 1) % n;
+    edge = loop.next(edge);
     start = 0.0;
   } while (edge != to.side);
   if (to.t > kAtEnd) result.push_back({to.side, 0.0, to.t, 0.0, 1.0});
@@ -30,17 +29,24 @@ std::vector<Stretch> stretchesBetween(const BoundaryLoop& loop, LoopPlace from, 
 Result<CutLoop> cutLoop(const BoundaryLoop& loop,
                         const std::vector<LoopPlace>& cuts,
                         int mostPoles) {
-  FAIRING_ASSERT(cuts.size() >= 2);
   CutLoop cut;
   std::vector<BoundarySide> sides;
-  for (std::size_t k = 0; k < cuts.size(); ++k) {
-    auto stretches = stretchesBetween(loop, cuts[k], cuts[(k + 1) % cuts.size()]);
-    FAIRING_ASSERT(!stretches.empty());
-    EdgeChain side = sideOfStretches(loop, stretches, mostPoles);
-    sides.push_back(std::move(side.side));
-    cut.stretches.push_back(std::move(side.stretches));
+  std::vector<std::size_t> further;
+  std::size_t k = 0;
+  for (const auto& [first, end] : loop.chains()) {
+    const std::size_t start = k;
+    while (k < cuts.size() && cuts[k].side < end) ++k;
+    FAIRING_ASSERT(k >= start + 2);
+    if (start > 0) further.push_back(start);
+    for (std::size_t i = start; i < k; ++i) {
+      const auto stretches = stretchesBetween(loop, cuts[i], cuts[i + 1 < k ? i + 1 : start]);
+      FAIRING_ASSERT(!stretches.empty());
+      EdgeChain side = sideOfStretches(loop, stretches, mostPoles);
+      sides.push_back(std::move(side.side));
+      cut.stretches.push_back(std::move(side.stretches));
+    }
   }
-  auto made = makeLoop(std::move(sides));
+  auto made = makeLoop(std::move(sides), std::move(further));
   if (!made) return fail(made.error());
   cut.loop = std::move(*made);
   cut.loop.diagonal = loop.diagonal;

@@ -26,7 +26,8 @@ struct CutLoop {
   std::vector<std::vector<Stretch>> stretches;  ///< of every new side, in its direction
 };
 
-/// Cuts a loop at places given in its order, two at least; new side k starts at cuts[k] and is that
+/// Cuts a loop at places given in its order, two at least in every closed chain, chain by chain
+/// (within each of them from any place on); new side k starts at cuts[k] and is that
 /// of sideOfStretches() (edge_chain.h). Fails with the codes of makeLoop().
 [[nodiscard]] Result<CutLoop> cutLoop(const BoundaryLoop& loop,
                                       const std::vector<LoopPlace>& cuts,

@@ -31,9 +31,7 @@ std::optional<Error> addCorners(const SideChain& chain, BoundaryLoop& loop) {
     if (!isEnd || chain.closed) {
       corner = cornerBetween(chain.sides[k], chain.sides[(k + 1) % n]);
       if (const auto open = checkMeeting(chain.sides[k], corner, loop.diagonal)) return open;
-      if (corner.angle < kStraightOn)
-        return Error{
-            ErrorCode::ChainTurns, chain.sides[k].edge, 0, corner.point, 180.0 - corner.angle};
+      if (const auto turns = chainTurns(chain.sides[k], corner)) return turns;
     }
     if (isEnd) {
       corner.apart = true;
@@ -45,6 +43,11 @@ std::optional<Error> addCorners(const SideChain& chain, BoundaryLoop& loop) {
 }
 
 }  // namespace
+
+std::optional<Error> chainTurns(const BoundarySide& before, const Corner& corner) {
+  if (corner.angle >= kStraightOn) return std::nullopt;
+  return Error{ErrorCode::ChainTurns, before.edge, 0, corner.point, 180.0 - corner.angle};
+}
 
 SideChain reversed(const SideChain& chain) {
   SideChain result = chain;

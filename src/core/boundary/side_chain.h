@@ -15,6 +15,9 @@ struct SideChain {
   bool closed = false;
 };
 
+/// ChainTurns where the edges of a chain meet in a corner.
+[[nodiscard]] std::optional<Error> chainTurns(const BoundarySide& before, const Corner& corner);
+
 /// The chain run through the other way, with the support normals turned, so that what is to be
 /// spanned stays to the left.
 [[nodiscard]] SideChain reversed(const SideChain& chain);

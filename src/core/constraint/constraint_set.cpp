@@ -55,11 +55,11 @@ std::vector<Meeting> meetings(const boundary::BoundaryLoop& loop,
       if (!edge) continue;
       const auto side = static_cast<std::size_t>(edge->use->side);
       result[side].before = &*edge;
-      result[(side + result.size() - 1) % result.size()].after = &*edge;
+      result[loop.previous(side)].after = &*edge;
       patchOf[side] = p;
     }
   for (std::size_t k = 0; k < result.size(); ++k)
-    result[k].samePatch = patchOf[k] == patchOf[(k + 1) % result.size()];
+    result[k].samePatch = patchOf[k] == patchOf[loop.next(k)];
   return result;
 }
 

@@ -19,10 +19,7 @@ using spline::KnotVector;
 double lengthOf(const LayoutPlan& plan, const Quad& quad, std::size_t k) {
   if (quad.sides[k] >= 0)
     return plan.cut.loop.sides[static_cast<std::size_t>(quad.sides[k])].length;
-  const auto& v = plan.mesh.vertices;
-  return (v[static_cast<std::size_t>(quad.vertices[(k + 1) % 4])] -
-          v[static_cast<std::size_t>(quad.vertices[k])])
-      .norm();
+  return plan.mesh.way(quad.vertices[k], quad.vertices[(k + 1) % 4]).norm();
 }
 
 // Widths of the strips in the patches' domains: mean lengths, scaled to an area of 1 in all.
@@ -53,8 +50,7 @@ SideCurve curveAlong(const boundary::BoundarySide& side, PatchEdge edge, const K
 // The ends of neighbouring edges differ by a CAD tolerance: the patches' corner lies half way.
 void joinEnds(const boundary::BoundaryLoop& loop, SideUse& use) {
   const auto k = static_cast<std::size_t>(use.side);
-  const std::size_t n = loop.sides.size();
-  const boundary::Corner &start = loop.corners[(k + n - 1) % n], &end = loop.corners[k];
+  const boundary::Corner &start = loop.corners[loop.previous(k)], &end = loop.corners[k];
   if (!start.apart) use.curve.poles.topRows<1>() = start.point.transpose();
   if (!end.apart) use.curve.poles.bottomRows<1>() = end.point.transpose();
 }

@@ -21,6 +21,9 @@ constexpr double kMostCoarseSpans = 6.0;
 // sides take up to six rows of control points, the shape needs some, too.
 constexpr double kLeastSpansRound = 12.0, kMostSpansRound = 16.0;
 constexpr double kLeastSpansAcross = 4.0;
+// A patch of a junction takes a quarter of a rim; with one span |grad H|^2 stays ten times as
+// large.
+constexpr double kLeastOfJunction = 2.0;
 // Fewer control points along a strip than this are not asked for, however many the patches have.
 constexpr int kLeastAlong = 8;
 // Knots of one strip closer than this are one.
@@ -90,9 +93,11 @@ Result<LayoutPlan> planLayout(const boundary::BoundaryLoop& loop, LayoutKind kin
     case LayoutKind::Trimmed:
       return fail({.code = ErrorCode::LayoutUnfit, .detail = "trimmed"});
     case LayoutKind::Strip:
+      return fail({.code = ErrorCode::LayoutUnfit, .detail = "strip"});
+    case LayoutKind::Junction:
       break;
   }
-  return fail({.code = ErrorCode::LayoutUnfit, .detail = "strip"});
+  return fail({.code = ErrorCode::LayoutUnfit, .detail = "junction"});
 }
 
 PatchLayout makeLayout(const LayoutPlan& plan, const LayoutOptions& options) {
@@ -122,7 +127,10 @@ PatchLayout coarseLayout(const LayoutPlan& plan,
       const double wish = std::ceil(options.density * (own.last() - own.first()) - 0.25);
       const bool isRound = plan.closed && d == 0;
       const bool isAcross = plan.kind == LayoutKind::Strip && d == 1;
-      const double least = isRound ? kLeastSpansRound : isAcross ? kLeastSpansAcross : 1.0;
+      const double least = isRound ? kLeastSpansRound
+                           : isAcross
+                               ? kLeastSpansAcross
+                               : (plan.kind == LayoutKind::Junction ? kLeastOfJunction : 1.0);
       const double most = isRound ? kMostSpansRound : kMostCoarseSpans;
       const int spans = static_cast<int>(std::clamp(wish, least, most));
       std::vector<double> breaks;

@@ -27,9 +27,10 @@ std::vector<CornerRole> cornerRoles(const boundary::BoundaryLoop& loop) {
   return roles;
 }
 
-LoopLength::LoopLength(const boundary::BoundaryLoop& loop) : starts_{0.0} {
-  for (const boundary::BoundarySide& side : loop.sides) {
-    arcs_.emplace_back(side.ribbon, 0.0, 1.0);
+LoopLength::LoopLength(const boundary::BoundaryLoop& loop, std::size_t first, std::size_t end)
+    : first_(first), starts_{0.0} {
+  for (std::size_t k = first; k < end; ++k) {
+    arcs_.emplace_back(loop.sides[k].ribbon, 0.0, 1.0);
     starts_.push_back(starts_.back() + arcs_.back().length());
   }
 }
@@ -39,9 +40,9 @@ boundary::LoopPlace LoopLength::placeAt(double length) const {
   const auto above = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, length);
   const auto side = static_cast<std::size_t>(above - starts_.begin()) - 1;
   const double t = arcs_[side].parameterAt(length - starts_[side]);
-  if (t < kAtEnd) return {side, 0.0};
-  if (t > 1.0 - kAtEnd) return {(side + 1) % arcs_.size(), 0.0};
-  return {side, t};
+  if (t < kAtEnd) return {first_ + side, 0.0};
+  if (t > 1.0 - kAtEnd) return {first_ + (side + 1) % arcs_.size(), 0.0};
+  return {first_ + side, t};
 }
 
 }  // namespace fairing::layout

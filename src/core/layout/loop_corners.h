@@ -17,18 +17,25 @@ enum class CornerRole {
 /// By corner of the loop: corner k is at the end of side k.
 [[nodiscard]] std::vector<CornerRole> cornerRoles(const boundary::BoundaryLoop& loop);
 
-/// Lengths along a loop, from the start of side 0 on.
+/// Lengths along a closed chain of a loop, from the start of its first side on.
 class LoopLength {
  public:
-  explicit LoopLength(const boundary::BoundaryLoop& loop);
+  explicit LoopLength(const boundary::BoundaryLoop& loop)
+      : LoopLength(loop, 0, loop.sides.size()) {}
+  /// Of the sides from `first` on to the one before `end`.
+  LoopLength(const boundary::BoundaryLoop& loop, std::size_t first, std::size_t end);
 
   [[nodiscard]] double whole() const { return starts_.back(); }
-  /// Up to the start of a side, mm; side = number of sides gives the whole.
-  [[nodiscard]] double upTo(std::size_t side) const { return starts_[side]; }
+  /// Up to the start of a side, mm; the one behind the last gives the whole.
+  [[nodiscard]] double upTo(std::size_t side) const { return starts_[side - first_]; }
+  [[nodiscard]] double upTo(const boundary::LoopPlace& place) const {
+    return upTo(place.side) + arcs_[place.side - first_].lengthUpTo(place.t);
+  }
   /// The place where `length` mm are behind; any multiple of the whole may be added.
   [[nodiscard]] boundary::LoopPlace placeAt(double length) const;
 
  private:
+  std::size_t first_;
   std::vector<boundary::ArcLength> arcs_;
   std::vector<double> starts_;
 };

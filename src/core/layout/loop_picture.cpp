@@ -34,11 +34,17 @@ Vector3d centreOf(const boundary::BoundaryLoop& loop) {
 }  // namespace
 
 std::vector<Eigen::Vector2d> pictureOf(const boundary::BoundaryLoop& loop) {
-  const Vector3d centre = centreOf(loop);
-  const std::size_t n = loop.sides.size();
-  std::vector<Vector3d> ways;
+  std::vector<Vector3d> starts;
   for (const boundary::BoundarySide& side : loop.sides)
-    ways.push_back(side.ribbon.curve(0.0).point - centre);
+    starts.push_back(side.ribbon.curve(0.0).point);
+  return pictureOf(starts, centreOf(loop));
+}
+
+std::vector<Eigen::Vector2d> pictureOf(const std::vector<Vector3d>& points,
+                                       const Vector3d& centre) {
+  const std::size_t n = points.size();
+  std::vector<Vector3d> ways;
+  for (const Vector3d& point : points) ways.push_back(point - centre);
   std::vector<double> angles;
   for (std::size_t k = 0; k < n; ++k) {
     const Vector3d &a = ways[k], &b = ways[(k + 1) % n];

@@ -13,4 +13,8 @@ namespace fairing::layout {
 /// neighbours stay above a fifth of the average one.
 [[nodiscard]] std::vector<Eigen::Vector2d> pictureOf(const boundary::BoundaryLoop& loop);
 
+/// The same of points round a centre.
+[[nodiscard]] std::vector<Eigen::Vector2d> pictureOf(const std::vector<Eigen::Vector3d>& points,
+                                                     const Eigen::Vector3d& centre);
+
 }  // namespace fairing::layout

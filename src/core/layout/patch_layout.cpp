@@ -5,16 +5,36 @@
 
 namespace fairing::layout {
 
+namespace {
+
+// From 0 to 1, level where a seam ends inside, with its derivative.
+struct Share {
+  double value, derivative;
+};
+Share shareAt(const std::array<char, 2>& level, double t) {
+  const double s = 1.0 - t;
+  if (level[0] && level[1]) return {t * t * (3.0 - 2.0 * t), 6.0 * t * s};
+  if (level[0]) return {t * t, 2.0 * t};
+  if (level[1]) return {1.0 - s * s, 2.0 * s};
+  return {t, 1.0};
+}
+
+}  // namespace
+
 SeamFrame Seam::frame(double t) const {
   const SeamFrame &a = frames[0], &b = frames[1];
-  const double s = 1.0 - t;
-  return {
-      s * a.first + t * b.first, s * a.second + t * b.second, s * s * a.along + t * t * b.along};
+  const double s = 1.0 - t, share = shareAt(inside, t).value;
+  return {a.first + share * (b.first - a.first),
+          a.second + share * (b.second - a.second),
+          s * s * a.along + t * t * b.along};
 }
 
 SeamFrame Seam::frameDerivative(double t) const {
   const SeamFrame &a = frames[0], &b = frames[1];
-  return {b.first - a.first, b.second - a.second, 2.0 * (t * b.along - (1.0 - t) * a.along)};
+  const double rate = shareAt(inside, t).derivative;
+  return {rate * (b.first - a.first),
+          rate * (b.second - a.second),
+          2.0 * (t * b.along - (1.0 - t) * a.along)};
 }
 
 std::vector<std::size_t> edgePlaces(const LayoutPatch& patch, PatchEdge edge, int row) {

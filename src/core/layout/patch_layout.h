@@ -45,8 +45,10 @@ struct Seam {
   std::array<char, 2> inside{};     ///< whether that vertex lies inside the hole
   std::array<SeamFrame, 2> frames;  ///< at the start and at the end
 
-  /// The frame at t in [0, 1]: `first` and `second` linear, `along` as
-  /// start (1 - t)^2 + end t^2.
+  /// The frame at t in [0, 1]: `along` as start (1 - t)^2 + end t^2; `first` and `second` linear,
+  /// but level at ends inside. There the twists round the vertex obey a cyclic system, which is
+  /// singular for an even number of seams: slopes of theirs, which nothing balances where `along`
+  /// is small, would make the tangents vanish.
   [[nodiscard]] SeamFrame frame(double t) const;
   /// Its derivative.
   [[nodiscard]] SeamFrame frameDerivative(double t) const;

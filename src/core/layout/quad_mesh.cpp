@@ -41,6 +41,12 @@ std::size_t slot(const QuadEdge& e) {
 
 }  // namespace
 
+Eigen::Vector2d QuadMesh::way(int from, int to) const {
+  if (!vertices.empty())
+    return vertices[static_cast<std::size_t>(to)] - vertices[static_cast<std::size_t>(from)];
+  return ways.at({from, to});
+}
+
 std::vector<QuadSeam> QuadMesh::seams() const {
   std::map<std::pair<int, int>, QuadEdge> waiting;
   std::vector<QuadSeam> result;

@@ -2,6 +2,8 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace fairing::layout {
@@ -42,9 +44,14 @@ struct QuadSeam {
 /// tell the seams where to leave their ends.
 struct QuadMesh {
   std::vector<Quad> quads;
-  std::vector<Eigen::Vector2d> vertices;  ///< in the picture, mm
+  std::vector<Eigen::Vector2d> vertices;  ///< in the picture, mm; empty: `ways` tells it all
   std::vector<char> inside;               ///< a flag per vertex: not on the loop
+  /// Where no single picture shows the mesh: ways along its edges in pictures about the vertices
+  /// they leave, mm.
+  std::map<std::pair<int, int>, Eigen::Vector2d> ways;
 
+  /// The way along an edge, in the picture about the vertex it leaves.
+  [[nodiscard]] Eigen::Vector2d way(int from, int to) const;
   [[nodiscard]] std::vector<QuadSeam> seams() const;
 };
 

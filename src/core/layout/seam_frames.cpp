@@ -26,19 +26,18 @@ SeamFrame frameOf(const Vector2d& a, const Vector2d& b, const Vector2d& e) {
 }
 
 // The vertex before the start (forward = false) or after the end of a quad's edge.
-Vector2d beside(const QuadMesh& mesh, const QuadEdge& e, bool forward) {
+int beside(const QuadMesh& mesh, const QuadEdge& e, bool forward) {
   const auto& vertices = mesh.quads[static_cast<std::size_t>(e.quad)].vertices;
   const auto k = static_cast<std::size_t>(e.edge);
-  return mesh.vertices[static_cast<std::size_t>(vertices[(k + (forward ? 2 : 3)) % 4])];
+  return vertices[(k + (forward ? 2 : 3)) % 4];
 }
 
 SeamFrame innerFrame(const QuadMesh& mesh, const QuadSeam& seam, bool atEnd) {
-  const Vector2d& start = mesh.vertices[static_cast<std::size_t>(seam.start)];
-  const Vector2d& end = mesh.vertices[static_cast<std::size_t>(seam.end)];
-  const Vector2d& here = atEnd ? end : start;
-  const Vector2d a = beside(mesh, seam.first, atEnd) - here;
-  const Vector2d b = beside(mesh, seam.second, !atEnd) - here;
-  return frameOf(a, b, end - start);
+  const int here = atEnd ? seam.end : seam.start, there = atEnd ? seam.start : seam.end;
+  const Vector2d along = mesh.way(here, there);
+  return frameOf(mesh.way(here, beside(mesh, seam.first, atEnd)),
+                 mesh.way(here, beside(mesh, seam.second, !atEnd)),
+                 atEnd ? Vector2d(-along) : along);
 }
 
 // The loop passes the vertex from `before` to `after`, the hole to its left. Looking out, the patch
@@ -46,21 +45,19 @@ SeamFrame innerFrame(const QuadMesh& mesh, const QuadSeam& seam, bool atEnd) {
 SeamFrame borderFrame(const LayoutPlan& plan, const QuadSeam& seam, bool atEnd) {
   const auto& loop = plan.cut.loop;
   const auto j = static_cast<std::size_t>(atEnd ? seam.end : seam.start);
-  const std::size_t n = loop.sides.size();
+  const std::size_t earlier = loop.previous(j);
   const Vector3d after = loop.sides[j].ribbon.curve(0.0).derivative;
-  const Vector3d before = loop.sides[(j + n - 1) % n].ribbon.curve(1.0).derivative;
+  const Vector3d before = loop.sides[earlier].ribbon.curve(1.0).derivative;
   const double la = after.norm(), lb = before.norm();
   SeamFrame frame;
   frame.first = 2.0 * (atEnd ? lb : la) / (la + lb);
   frame.second = 2.0 * (atEnd ? la : lb) / (la + lb);
-  const boundary::Corner& corner = loop.corners[(j + n - 1) % n];
+  const boundary::Corner& corner = loop.corners[earlier];
   if (corner.isNearlyStraight()) return frame;
   // The unit vectors along both ways sum up to 2 cos(inside / 2) times the way into the hole.
   const double inward = 2.0 * la * lb / (la + lb) * 2.0 *
                         std::cos(0.5 * corner.insideAngle * std::numbers::pi / 180.0);
-  const double length = (plan.mesh.vertices[static_cast<std::size_t>(seam.end)] -
-                         plan.mesh.vertices[static_cast<std::size_t>(seam.start)])
-                            .norm();
+  const double length = plan.mesh.way(seam.start, seam.end).norm();
   frame.along = (atEnd ? -inward : inward) / length;
   return frame;
 }

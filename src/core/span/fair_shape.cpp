@@ -33,7 +33,7 @@ constexpr double kFitShare = 1e-3;  // of the diagonal: how closely the sides ar
 constexpr int kMostPolesAlong = 14;
 constexpr int kSteps = 2;
 // A strip's start is farther from its end: nothing holds its middle.
-constexpr int kStepsOfStrip = 8;
+constexpr int kStepsOfBlends = 8;
 constexpr double kWorthAStep = 1e-3;  // of the energy
 // As an integral; 1e4 lets the parametrisation drift: one round more on stars, and waves farther
 // off.
@@ -153,7 +153,8 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
   shape.energyBefore = shape.energy =
       assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
   std::optional<Descent> descent;  // lasts as long as its program
-  const int steps = layout.kind == LayoutKind::Strip ? kStepsOfStrip : kSteps;
+  const bool isBlend = layout.kind == LayoutKind::Strip || layout.kind == LayoutKind::Junction;
+  const int steps = isBlend ? kStepsOfBlends : kSteps;
   while (shape.steps < steps) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     if (isIterated(plan.cut.loop, options)) {  // the nearest points that meet all that is asked

@@ -80,8 +80,10 @@ std::set<double> gradedTo(bool start, const spline::KnotVector& knots, int halvi
 
 // Whether the twists at the start (or end) of a side disagree.
 bool twistsDisagree(const analysis::FillReport& report, std::size_t side, bool start) {
-  const std::size_t n = report.corners.size();
-  return n == report.sides.size() && !report.corners[start ? (side + n - 1) % n : side].twistsAgree;
+  const int edge = report.sides[side].edge;
+  return std::any_of(report.corners.begin(), report.corners.end(), [&](const auto& corner) {
+    return (start ? corner.edgeAfter : corner.edgeBefore) == edge && !corner.twistsAgree;
+  });
 }
 
 // The knots along the stretch of a side that runs on one patch edge, in the patch's direction

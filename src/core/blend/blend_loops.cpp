@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/blend/blend_loops.h"
+
+#include <utility>
+
+#include "core/layout/junction.h"
+#include "core/span/span_plan.h"
+
+namespace fairing {
+
+Result<FillResult> blendLoops(const boundary::BoundaryLoop& loop,
+                              const BlendOptions& options,
+                              Progress* progress) {
+  if (const auto wrong = validate(options)) return fail(*wrong);
+  for (const double reach : options.reach)
+    if (reach != 1.0) return fail({.code = ErrorCode::JunctionReach, .value = reach});
+  boundary::BoundaryLoop target = followedLoop(loop, options.fill.tolerance);
+  auto plan = layout::junctionPlan(target);
+  if (!plan) return fail(plan.error());
+  analysis::LoopProbe probe = analysis::probeLoop(loop, target);
+  return spanPlan(
+      {loop, std::move(target), std::move(probe), std::move(*plan)}, options.fill, progress);
+}
+
+}  // namespace fairing

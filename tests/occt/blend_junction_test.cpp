@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gmock/gmock.h>
+
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "occt/blend_shape.h"
+#include "occt/from_occt.h"
+#include "occt/shapes.h"
+
+namespace fairing::occt {
+namespace {
+
+using namespace fairing::testing;
+using Eigen::Vector3d;
+
+constexpr double kRound = 2.0 * std::numbers::pi;
+
+/// A pipe that comes in along an axis and ends `gap` mm before the origin, 8 mm long. Its rim
+/// starts where `start` says, an angle about the axis.
+struct Pipe {
+  gp_Dir axis;
+  double radius = 5.0, gap = 14.0, start = 0.0;
+
+  [[nodiscard]] Handle(Geom_Surface) surface() const {
+    return new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, 0), axis), radius);
+  }
+  [[nodiscard]] TopoDS_Shape face() const {
+    return grid(surface(), {start, start + kRound}, {gap, gap + 8.0}, {}, Joint::Loose);
+  }
+  /// The point of the rim half way round.
+  [[nodiscard]] Vector3d rim() const {
+    return fromOcct(surface()->Value(start + 0.5 * kRound, gap));
+  }
+};
+
+/// Three pipes of different radius in directions that lie in no plane.
+std::vector<Pipe> skewPipes() {
+  return {{gp_Dir(1, 0.1, 0.2), 5.0, 14.0, 0.3},
+          {gp_Dir(-0.5, 0.9, -0.1), 4.5, 15.0, 1.0},
+          {gp_Dir(-0.4, -0.9, 0.15), 4.0, 13.0, 2.0}};
+}
+
+TopoDS_Shape shapeOf(const std::vector<Pipe>& pipes) {
+  std::vector<TopoDS_Shape> faces;
+  for (const Pipe& pipe : pipes) faces.push_back(pipe.face());
+  return compound(faces);
+}
+
+BlendPicks rimsOf(const TopoDS_Shape& shape,
+                  const std::vector<Pipe>& pipes,
+                  Continuity continuity = Continuity::G1) {
+  std::vector<Vector3d> points;
+  for (const Pipe& pipe : pipes) points.push_back(pipe.rim());
+  const std::vector<int> edges = edgesNear(ShapeIndex(shape), points);
+  return {
+      .from = {edges.front()}, .to = {edges.begin() + 1, edges.end()}, .continuity = continuity};
+}
+
+ShapeFill joined(const TopoDS_Shape& shape,
+                 const BlendPicks& picks,
+                 ResultMode mode = ResultMode::Patches) {
+  auto result = blendShape(ShapeIndex(shape), picks, {}, mode);
+  EXPECT_TRUE(result.has_value()) << (result ? 0 : int(result.error().code));
+  return result ? *result : ShapeFill{};
+}
+
+ShapeFill joined(const std::vector<Pipe>& pipes, Continuity continuity = Continuity::G1) {
+  const TopoDS_Shape shape = shapeOf(pipes);
+  return joined(shape, rimsOf(shape, pipes, continuity));
+}
+
+std::vector<Vector3d> pointsOf(const ShapeFill& blend) {
+  constexpr int kAlong = 6;
+  std::vector<Vector3d> points;
+  for (const auto& patch : blend.fill.patches)
+    for (int i = 0; i <= kAlong; ++i)
+      for (int j = 0; j <= kAlong; ++j)
+        points.push_back(patch.evaluate(patch.u.last() * i / kAlong, patch.v.last() * j / kAlong));
+  return points;
+}
+
+/// Largest distance of the points of one junction from the faces of another.
+double apart(const ShapeFill& a, const ShapeFill& b) {
+  double largest = 0.0;
+  for (const Vector3d& p : pointsOf(a)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (TopExp_Explorer face(b.shape, TopAbs_FACE); face.More(); face.Next()) {
+      const GeomAPI_ProjectPointOnSurf foot(gp_Pnt(p.x(), p.y(), p.z()),
+                                            BRep_Tool::Surface(TopoDS::Face(face.Current())));
+      if (foot.NbPoints() > 0) least = std::min(least, foot.LowerDistance());
+    }
+    largest = std::max(largest, least);
+  }
+  return largest;
+}
+
+TEST(BlendJunction, JoinsThreeSkewPipesTangentially) {
+  const ShapeFill blend = joined(skewPipes());
+  const analysis::FillReport& report = blend.fill.report;
+  EXPECT_EQ(blend.fill.layout, LayoutKind::Junction);
+  EXPECT_EQ(blend.fill.patches.size(), 12U);
+  EXPECT_TRUE(report.withinTolerance);
+  EXPECT_LT(report.largestAngle, 0.02);
+  EXPECT_LT(report.largestSeamAngle, 0.02);
+  EXPECT_LT(report.largestGap, 1e-6 * report.diagonal);
+  EXPECT_TRUE(BRepCheck_Analyzer(blend.shape).IsValid());
+}
+
+TEST(BlendJunction, MeetsCurvatureWhereAsked) {
+  const ShapeFill blend = joined(skewPipes(), Continuity::G2);
+  EXPECT_LT(blend.fill.report.largestCurvature, 0.05);
+  EXPECT_LT(blend.fill.report.largestAngle, 0.02);
+}
+
+// The gradient of the mean curvature, which is made small, vanishes on a sphere.
+TEST(BlendJunction, OfThreeCapsOfASphereIsThatSphere) {
+  const double radius = 10.0;
+  std::vector<TopoDS_Shape> caps;
+  std::vector<Vector3d> rims;
+  for (int k = 0; k < 3; ++k) {
+    const double turn = kRound * k / 3.0;
+    const gp_Ax3 frame(gp_Pnt(0, 0, 0), gp_Dir(std::cos(turn), std::sin(turn), 0));
+    const Handle(Geom_Surface) sphere = new Geom_SphericalSurface(frame, radius);
+    caps.push_back(grid(sphere, {0.0, kRound}, {1.0, 1.5}, {}, Joint::Loose));
+    rims.push_back(fromOcct(sphere->Value(0.5 * kRound, 1.0)));
+  }
+  const TopoDS_Shape shape = compound(caps);
+  const auto edges = edgesNear(ShapeIndex(shape), rims);
+  const ShapeFill blend = joined(shape, {.from = {edges[0]}, .to = {edges[1], edges[2]}});
+  EXPECT_TRUE(blend.fill.report.withinTolerance);
+  for (const Vector3d& p : pointsOf(blend))
+    EXPECT_NEAR(p.norm(), radius, 1e-3 * blend.fill.report.diagonal);
+}
+
+TEST(BlendJunction, DoesNotDependOnOrderNorOnOrientation) {
+  const std::vector<Pipe> pipes = skewPipes();
+  const ShapeFill one = joined(pipes);
+  const double limit = 1e-6 * one.fill.report.diagonal;
+  EXPECT_LT(apart(one, joined({pipes[2], pipes[0], pipes[1]})), limit);
+  EXPECT_LT(apart(one, joined({pipes[1], pipes[0], pipes[2]})), limit);
+  const TopoDS_Shape turned = everySecondReversed(shapeOf(pipes));
+  EXPECT_LT(apart(one, joined(turned, rimsOf(turned, pipes))), limit);
+}
+
+TEST(BlendJunction, DoesNotDependOnWhereRimsStart) {
+  std::vector<Pipe> moved = skewPipes();
+  for (Pipe& pipe : moved) pipe.start += 0.8;
+  const ShapeFill one = joined(skewPipes());
+  // Where rims are measured depends on their start, and that decides about single knots.
+  EXPECT_LT(apart(one, joined(moved)), 5e-6 * one.fill.report.diagonal);
+}
+
+// Three equal pipes a third of a turn apart: a turn by a third and the mirror at their plane bring
+// the junction onto itself.
+TEST(BlendJunction, HasTheSymmetryOfItsPipes) {
+  std::vector<Pipe> pipes;
+  for (int k = 0; k < 3; ++k)
+    pipes.push_back({gp_Dir(std::cos(kRound * k / 3.0), std::sin(kRound * k / 3.0), 0)});
+  const ShapeFill blend = joined(pipes);
+  EXPECT_TRUE(blend.fill.report.withinTolerance);
+  const double limit = 1e-6 * blend.fill.report.diagonal;
+  gp_Trsf mirror, turn;
+  mirror.SetMirror(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)));
+  turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), kRound / 3.0);
+  for (const gp_Trsf& motion : {mirror, turn}) {
+    ShapeFill moved = blend;
+    moved.shape = BRepBuilderAPI_Transform(blend.shape, motion, true).Shape();
+    EXPECT_LT(apart(blend, moved), limit);
+  }
+}
+
+TEST(BlendJunction, JoinsFourPipes) {
+  std::vector<Pipe> pipes;
+  for (const gp_Dir& axis :
+       {gp_Dir(1, 0, 0.1), gp_Dir(-1, 0.1, 0), gp_Dir(0.1, 1, 0), gp_Dir(0, -1, -0.1)})
+    pipes.push_back({axis, 4.0});
+  const ShapeFill blend = joined(pipes);
+  EXPECT_EQ(blend.fill.patches.size(), 16U);
+  EXPECT_TRUE(blend.fill.report.withinTolerance);
+}
+
+TEST(BlendJunction, ClosesCappedPipesToASolid) {
+  std::vector<TopoDS_Shape> faces;
+  for (const Pipe& pipe : skewPipes()) {
+    faces.push_back(pipe.face());
+    const gp_Pnt end = gp_Pnt(gp_Vec(pipe.axis).Multiplied(pipe.gap + 8.0).XYZ());
+    const Handle(Geom_Surface) cap = new Geom_SphericalSurface(gp_Ax3(end, pipe.axis), pipe.radius);
+    faces.push_back(
+        grid(cap, {pipe.start, pipe.start + kRound}, {0.0, 0.25 * kRound}, {}, Joint::Loose));
+  }
+  const TopoDS_Shape shape = compound(faces);
+  const ShapeFill blend = joined(shape, rimsOf(shape, skewPipes()), ResultMode::Base);
+  EXPECT_TRUE(BRepCheck_Analyzer(blend.shape).IsValid());
+  EXPECT_TRUE(TopExp_Explorer(blend.shape, TopAbs_SOLID).More());
+  EXPECT_GT(volume(blend.shape), 1000.0);
+}
+
+TEST(BlendJunction, RefusesOpenChainsAndAReach) {
+  const std::vector<Pipe> pipes = skewPipes();
+  const Handle(Geom_Surface) plane = new Geom_Plane(gp_Ax3(gp_Pnt(0, 0, 30), gp_Dir(0, 0, 1)));
+  const TopoDS_Shape shape =
+      compound({shapeOf(pipes), grid(plane, {0.0, 5.0}, {0.0, 5.0}, {}, Joint::Loose)});
+  const auto edges =
+      edgesNear(ShapeIndex(shape), {pipes[0].rim(), pipes[1].rim(), Vector3d(2.5, 0, 30)});
+  const BlendPicks mixed{.from = {edges[0]}, .to = {edges[1], edges[2]}};
+  const auto refused = blendShape(ShapeIndex(shape), mixed, {}, ResultMode::Patches);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::ChainBroken);
+  const auto reaching =
+      blendShape(ShapeIndex(shape), rimsOf(shape, pipes), {{}, {1.5, 1.0}}, ResultMode::Patches);
+  ASSERT_FALSE(reaching.has_value());
+  EXPECT_EQ(reaching.error().code, ErrorCode::JunctionReach);
+}
+
+}  // namespace
+}  // namespace fairing::occt
