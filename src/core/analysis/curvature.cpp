@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/spline/fundamental_forms.h"
-#include "core/spline/quadrature.h"
+#include "core/spline/surface_grid.h"
 
 // With W^2 = EG - F^2 and the second form against R_u x R_v (fundamental_forms.h), that is times W:
 // q = E n - 2 F m + G l,   H = q / (2 W^3),   K = (l n - m^2) / W^4.
@@ -18,8 +18,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-Curvature curvatureFrom(const spline::Partials& partials) {
-  const auto [e, f, g, l, m, n] = spline::fundamentalForms(spline::thirdOrderJet(partials));
+Curvature curvatureFrom(const spline::ThirdOrderJet& jet) {
+  const auto [e, f, g, l, m, n] = spline::fundamentalForms(jet);
   const spline::FirstOrderJet en = e * n, fm = f * m, gl = g * l, eg = e * g, ff = f * f;
   const double w2 = eg.value - ff.value, w = std::sqrt(w2), w3 = w2 * w;
   const double q = en.value - 2.0 * fm.value + gl.value;
@@ -34,24 +34,14 @@ Curvature curvatureFrom(const spline::Partials& partials) {
   return c;
 }
 
-// A quadrature point of one direction with its basis functions, evaluated once for the whole grid.
-struct GridPoint {
-  double weight;
-  spline::BasisRow basis;
-};
-
 // Integrands are rational: four points a span give figures good to about 1e-3, wherever there are
 // spans enough.
 constexpr int kLeastOnSpan = 4;
 constexpr int kLeastOnPatch = 16;
 
-std::vector<GridPoint> gridLine(const spline::KnotVector& knots) {
+spline::GridLine gridLine(const spline::KnotVector& knots) {
   const int spans = static_cast<int>(knots.breaks().size()) - 1;
-  const int points = std::max(kLeastOnSpan, (kLeastOnPatch + spans - 1) / spans);
-  std::vector<GridPoint> line;
-  for (const auto& q : spline::gaussLegendre(points, knots))
-    line.push_back({q.weight, spline::basisRow(knots, q.parameter, 3)});
-  return line;
+  return {knots, std::max(kLeastOnSpan, (kLeastOnPatch + spans - 1) / spans)};
 }
 
 }  // namespace
@@ -61,7 +51,7 @@ double Curvature::largest() const {
 }
 
 Curvature curvatureAt(const spline::BsplineSurface& surface, double u, double v) {
-  return curvatureFrom(surface.derivatives(u, v, 3));
+  return curvatureFrom(spline::thirdOrderJet(surface.derivatives(u, v, 3)));
 }
 
 double normalCurvature(const spline::SurfaceJet& jet, const Vector3d& direction) {
@@ -78,10 +68,12 @@ double normalCurvature(const spline::SurfaceJet& jet, const Vector3d& direction)
 FairnessReport measureFairness(const std::vector<spline::BsplineSurface>& patches) {
   FairnessReport report;
   for (const spline::BsplineSurface& patch : patches) {
-    const auto alongU = gridLine(patch.u), alongV = gridLine(patch.v);
-    for (const GridPoint& qu : alongU)
-      for (const GridPoint& qv : alongV) {
-        const Curvature c = curvatureFrom(patch.derivatives(qu.basis, qv.basis, 3));
+    const spline::GridLine alongU = gridLine(patch.u), alongV = gridLine(patch.v);
+    const auto jets = spline::gridJets(patch, alongU, alongV);
+    auto jet = jets.begin();
+    for (const spline::GridPoint& qu : alongU.points)
+      for (const spline::GridPoint& qv : alongV.points) {
+        const Curvature c = curvatureFrom(*jet++);
         const double area = qu.weight * qv.weight * c.areaElement;
         if (!std::isfinite(c.mean)) continue;  // a collapsed point has no curvature
         report.area += area;

@@ -2,12 +2,10 @@
 #include "core/assembly/assemble_shape_energy.h"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "core/spline/bspline_basis.h"
-#include "core/spline/quadrature.h"
+#include "core/spline/surface_grid.h"
 
 namespace fairing::assembly {
 namespace {
@@ -18,58 +16,12 @@ using shape_energy::Jet;
 using shape_energy::ShapeEnergy;
 using spline::BasisRow;
 using spline::BsplineSurface;
+using spline::GridLine;
+using spline::GridPoint;
 
-// Derivatives (a, b) along (u, v) in the order of a jet's columns.
-constexpr int kOrders[9][2] = {
-    {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}};
-
-// A quadrature point of one direction with its basis functions.
-struct GridPoint {
-  double weight;
-  BasisRow basis;
-};
-
-// One direction's quadrature points, `perSpan` of every span one after the other, evaluated once
-// for the whole grid.
-struct GridLine {
-  GridLine(const spline::KnotVector& knots, int asked)
-      : perSpan(static_cast<std::size_t>(asked > 0 ? asked : knots.degree())) {
-    for (const auto& q : spline::gaussLegendre(static_cast<int>(perSpan), knots))
-      points.push_back({q.weight, spline::basisRow(knots, q.parameter, 3)});
-    for (std::size_t a = 0; a < values.size(); ++a) {
-      values[a].setZero(static_cast<Index>(points.size()), knots.poleCount());
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        const BasisRow& row = points[k].basis;
-        values[a].row(static_cast<Index>(k)).segment(row.first, row.values.cols()) =
-            row.values.row(static_cast<Index>(a));
-      }
-    }
-  }
-
-  std::size_t perSpan;
-  std::vector<GridPoint> points;
-  std::array<MatrixXd, 4> values;  // [a](k, i): a-th derivative of basis function i at point k
-};
-
-// The patch's jet at every point of the grid, those of one u after the other. One coordinate's
-// derivative (a, b) is  U_a P V_b'.
-std::vector<Jet> gridJets(const BsplineSurface& patch, const GridLine& u, const GridLine& v) {
-  using Stride = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
-  const Index nu = patch.u.poleCount(), nv = patch.v.poleCount();
-  std::vector<Jet> jets(u.points.size() * v.points.size());
-  std::array<MatrixXd, 4> alongV;
-  for (Index c = 0; c < 3; ++c) {
-    const Eigen::Map<const MatrixXd, 0, Stride> poles(
-        patch.poles.data() + c, nu, nv, Stride(3, 3 * nv));
-    for (std::size_t b = 0; b < alongV.size(); ++b)
-      alongV[b].noalias() = v.values[b] * poles.transpose();
-    for (Index k = 0; k < 9; ++k) {
-      const MatrixXd derivative = alongV[static_cast<std::size_t>(kOrders[k][1])] *
-                                  u.values[static_cast<std::size_t>(kOrders[k][0])].transpose();
-      for (std::size_t q = 0; q < jets.size(); ++q) jets[q](c, k) = derivative.data()[q];
-    }
-  }
-  return jets;
+// One direction's points of the quadrature.
+GridLine gridLine(const spline::KnotVector& knots, int asked) {
+  return {knots, asked > 0 ? asked : knots.degree()};
 }
 
 // Row k: the derivative that is the jet's column k, of each control point's basis function.
@@ -80,7 +32,8 @@ void setJetBasis(const BasisRow& bu, const BasisRow& bv, JetBasis& basis) {
   for (Index i = 0; i < bu.values.cols(); ++i)
     for (Index j = 0; j < bv.values.cols(); ++j, ++column)
       for (int k = 0; k < 9; ++k)
-        basis(k, column) = bu.values(kOrders[k][0], i) * bv.values(kOrders[k][1], j);
+        basis(k, column) =
+            bu.values(spline::kJetOrders[k][0], i) * bv.values(spline::kJetOrders[k][1], j);
 }
 
 // One span: gathers the weighted residuals of its quadrature points and their derivatives with
@@ -177,8 +130,8 @@ void appendElements(const BsplineSurface& patch,
                     int points,
                     double pinning,
                     std::vector<ShapeElement>& elements) {
-  const GridLine u(patch.u, points), v(patch.v, points);
-  const std::vector<Jet> jets = gridJets(patch, u, v);
+  const GridLine u = gridLine(patch.u, points), v = gridLine(patch.v, points);
+  const std::vector<Jet> jets = spline::gridJets(patch, u, v);
   for (std::size_t su = 0; su < u.points.size(); su += u.perSpan)
     for (std::size_t sv = 0; sv < v.points.size(); sv += v.perSpan) {
       SpanModel model(patch, u.points[su].basis, v.points[sv].basis);
@@ -213,8 +166,8 @@ double shapeEnergyOf(const std::vector<BsplineSurface>& patches,
                      int points) {
   double sum = 0.0;
   for (const BsplineSurface& patch : patches) {
-    const GridLine u(patch.u, points), v(patch.v, points);
-    const std::vector<Jet> jets = gridJets(patch, u, v);
+    const GridLine u = gridLine(patch.u, points), v = gridLine(patch.v, points);
+    const std::vector<Jet> jets = spline::gridJets(patch, u, v);
     auto jet = jets.begin();
     for (const GridPoint& qu : u.points)
       for (const GridPoint& qv : v.points)

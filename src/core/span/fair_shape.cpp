@@ -95,7 +95,7 @@ class Descent {
     return assembly::shapeEnergyOf(makePatches(layout_, points), energy_);
   }
   // Takes a step; false where none lets the energy fall.
-  bool step(solver::Points& points, double& value) const {
+  bool step(solver::Points& points, double& value) {
     const Model model =
         projected(modelOf(layout_, makePatches(layout_, points), energy_, size_), freedom_);
     double weight = 0.0;
@@ -120,16 +120,19 @@ class Descent {
   }
 
  private:
-  // The integral of |d|^2 in the free directions.
-  [[nodiscard]] MatrixXd displacement() const {
+  // The integral of |d|^2 in the free directions, made where a step is rejected.
+  const solver::Sparse& displacement() {
+    if (displacement_) return *displacement_;
     const solver::Sparse mass =
         solver::threefold(assembly::assembleEnergy(layout_, {{1.0, {0, 0}, {0, 0}}}));
-    return MatrixXd(freedom_.transpose() * solver::Sparse(mass * freedom_));
+    displacement_ = freedom_.transpose() * solver::Sparse(mass * freedom_);
+    return *displacement_;
   }
 
   const layout::PatchLayout& layout_;
   const shape_energy::ShapeEnergy& energy_;
   solver::Sparse freedom_;
+  std::optional<solver::Sparse> displacement_;
   double size_;
 };
 

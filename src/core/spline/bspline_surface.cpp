@@ -65,10 +65,7 @@ SurfaceJet BsplineSurface::jet(double s, double t) const {
 }
 
 Partials BsplineSurface::derivatives(double s, double t, int order) const {
-  return derivatives(basisRow(u, s, order), basisRow(v, t, order), order);
-}
-
-Partials BsplineSurface::derivatives(const BasisRow& bu, const BasisRow& bv, int order) const {
+  const BasisRow bu = basisRow(u, s, order), bv = basisRow(v, t, order);
   const int n = order + 1;
   Partials result = Partials::Zero(3, n * n);
   for (int i = 0; i <= u.degree(); ++i) {

@@ -32,8 +32,6 @@ struct BsplineSurface {
   /// All partial derivatives up to `order` (at most 4) along each direction: column a * (order + 1)
   /// + b holds d^(a+b) R / du^a dv^b.
   [[nodiscard]] Partials derivatives(double s, double t, int order) const;
-  /// The same from basis rows at hand, which must hold derivatives up to `order`: for grids.
-  [[nodiscard]] Partials derivatives(const BasisRow& bu, const BasisRow& bv, int order) const;
 };
 
 [[nodiscard]] BsplineSurface refinedTo(const BsplineSurface& surface,
