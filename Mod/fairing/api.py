@@ -65,7 +65,10 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
     continuity       "G2" meets the faces beside the edges in curvature, "G1" tangentially, "G0" only touches them
     edge_continuity  edges that differ, {"Edge7": "G0"}
     options          from_reach, to_reach (above 0: how far the strip goes on before it turns away, 1 = what the energy
-                     likes best), energy, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles, result
+                     likes best), from_reach_end, to_reach_end (at the other end of an open side), from_departure,
+                     to_departure ("free", "perpendicular" to the edge, or "iso": along the face's curves), from_flip,
+                     to_flip (leave over the face), from_setback, to_setback (mm into the faces), energy, gap_tolerance
+                     (mm), angle_tolerance (degrees), degree, max_poles, result
                      ("patches", "shell" or "base"): see blend_request.BlendRequest
     Raises FairingError with one sentence where that cannot be done.
     """

@@ -69,7 +69,10 @@ struct BlendArguments {
   std::vector<std::string> edges, from, to, edgeContinuity;
   std::string continuity = "G1";
   std::optional<double> gap, angle;
-  double reachFrom = 1.0, reachTo = 1.0;
+  std::vector<double> reachFrom{1.0}, reachTo{1.0};  ///< at the start, at the end
+  std::string departureFrom = "free", departureTo = "free";
+  double setbackFrom = 0.0, setbackTo = 0.0;
+  bool flipFrom = false, flipTo = false;
 
   void addTo(CLI::App& command);
   /// Fails with UnknownChoice, OneSideOnly where `edges` are one chain, and the codes of

@@ -6,6 +6,31 @@
 
 namespace fairing::cli {
 
+namespace {
+
+void addReach(CLI::App& command, const char* name, std::vector<double>& reach, const char* help) {
+  command.add_option(name, reach, help)->delimiter(',')->expected(1, 2)->allow_extra_args(false);
+}
+
+Result<boundary::Departure> departure(const char* option, const std::string& word) {
+  const auto known = text::departureFrom(word);
+  if (!known) return fail(unknown(option, word));
+  return *known;
+}
+
+boundary::Leaving leaving(bool flipped) {
+  return flipped ? boundary::Leaving::Backwards : boundary::Leaving::Onwards;
+}
+
+Reach reachOf(const std::vector<double>& from, const std::vector<double>& to) {
+  Reach reach{from.front(), to.front()};
+  if (from.size() > 1) reach.end[0] = from[1];
+  if (to.size() > 1) reach.end[1] = to[1];
+  return reach;
+}
+
+}  // namespace
+
 void BlendArguments::addTo(CLI::App& command) {
   solve.addFiles(command, "the shape with the edges, .brep or .step");
   addList(
@@ -18,10 +43,26 @@ void BlendArguments::addTo(CLI::App& command) {
   command.add_option(
       "--continuity", continuity, "G0, G1 or G2 to every face beside the blend (default G1)");
   addList(command, "--edge-continuity", edgeContinuity, "of single edges, such as 7=G0,9=G2");
-  command.add_option("--reach-from",
-                     reachFrom,
-                     "how far the blend reaches on the first side; 1 = what the energy likes best");
-  command.add_option("--reach-to", reachTo, "the same on the other side");
+  addReach(
+      command,
+      "--reach-from",
+      reachFrom,
+      "how far the blend reaches on the first side; 1 = what the energy likes best; two numbers "
+      "such as 1,1.5: at the start of an open side and at its end");
+  addReach(command, "--reach-to", reachTo, "the same on the other side");
+  command.add_option("--departure-from",
+                     departureFrom,
+                     "direction in which the blend leaves the first side: free (default), "
+                     "perpendicular to the edge, or iso, along the face's iso-curves");
+  command.add_option("--departure-to", departureTo, "the same on the other side");
+  command.add_flag("--flip-from", flipFrom, "leave the first side the other way, over its face");
+  command.add_flag("--flip-to", flipTo, "the same on the other side");
+  command.add_option(
+      "--setback-from",
+      setbackFrom,
+      "mm: start inside the faces of the first side, at this distance from its edges; "
+      "the faces are trimmed back to there");
+  command.add_option("--setback-to", setbackTo, "the same on the other side");
   command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the blend's diagonal)");
   command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
   solve.addChoices(command);
@@ -35,6 +76,7 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
   const auto common = text::continuityFrom(continuity);
   if (!common) return fail(unknown("--continuity", continuity));
   picks.continuity = *common;
+  picks.setback = {setbackFrom, setbackTo};
   const auto first = parseNumbers(from, "--from", "Edge");
   if (!first) return fail(first.error());
   const auto second = parseNumbers(to, "--to", "Edge");
@@ -58,7 +100,14 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
 Result<BlendOptions> BlendArguments::options() const {
   auto common = solve.options(toleranceFrom(gap, angle));
   if (!common) return fail(common.error());
-  BlendOptions chosen{std::move(*common), {reachFrom, reachTo}};
+  const auto first = departure("--departure-from", departureFrom);
+  if (!first) return fail(first.error());
+  const auto second = departure("--departure-to", departureTo);
+  if (!second) return fail(second.error());
+  const BlendOptions chosen{std::move(*common),
+                            reachOf(reachFrom, reachTo),
+                            {*first, *second},
+                            {leaving(flipFrom), leaving(flipTo)}};
   if (const auto error = validate(chosen)) return fail(*error);
   return chosen;
 }

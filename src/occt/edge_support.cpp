@@ -47,6 +47,7 @@ EdgeSupport::EdgeSupport(const TopoDS_Face& face,
   const bool edgeReversed = use.Orientation() == TopAbs_REVERSED;
   normalSign_ = (faceReversed == (sense == NormalSense::Turned)) ? 1.0 : -1.0;
   insideSign_ = faceReversed == edgeReversed ? 1.0 : -1.0;
+  isoIsV_ = runsAlongU();
   if (match == EdgeMatch::Twin) {
     for (int i = 0; i <= kLandmarks; ++i) {
       const double t = pcurveFirst_ + (pcurveLast_ - pcurveFirst_) * i / kLandmarks;
@@ -54,6 +55,22 @@ EdgeSupport::EdgeSupport(const TopoDS_Face& face,
       landmarks_.push_back({t, fromOcct(surface_.Value(uv.X(), uv.Y()))});
     }
   }
+}
+
+/// Whether the edge as a whole runs more along u than along v, by lengths in space.
+bool EdgeSupport::runsAlongU() const {
+  constexpr int kSamples = 9;
+  double alongU = 0.0, alongV = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double share = (i + 0.5) / kSamples;
+    gp_Pnt2d uv;
+    gp_Vec2d d;
+    pcurve_.D1(pcurveFirst_ + (pcurveLast_ - pcurveFirst_) * share, uv, d);
+    const SurfacePoint at = evaluate(surface_, uv.X(), uv.Y());
+    alongU += std::abs(d.X()) * at.su.norm();
+    alongV += std::abs(d.Y()) * at.sv.norm();
+  }
+  return alongU >= alongV;
 }
 
 gp_Pnt2d EdgeSupport::start(double parameter, const Vector3d& point) const {
@@ -72,6 +89,7 @@ SupportSample EdgeSupport::sample(const SurfacePoint& at) const {
   SupportSample result{.point = at.point};
   result.normal = normalSign_ * at.cross().normalized();
   result.secondForm = at.secondForm(result.normal);
+  result.iso = (isoIsV_ ? at.sv : at.su).normalized();
   return result;
 }
 

@@ -39,6 +39,7 @@ class EdgeSupport {
   [[nodiscard]] gp_Pnt2d start(double parameter, const Eigen::Vector3d& point) const;
   [[nodiscard]] boundary::SupportSample limit(double parameter, const SurfacePoint& foot) const;
   [[nodiscard]] boundary::SupportSample sample(const SurfacePoint& foot) const;
+  [[nodiscard]] bool runsAlongU() const;
 
   BRepAdaptor_Surface surface_;
   Geom2dAdaptor_Curve pcurve_;
@@ -47,6 +48,7 @@ class EdgeSupport {
   double pcurveFirst_ = 0.0, pcurveLast_ = 1.0;  ///< the same on the pcurve; equal for sound edges
   double normalSign_ = 1.0;
   double insideSign_ = 1.0;  ///< +1: the face lies to the left of the pcurve in (u, v)
+  bool isoIsV_ = true;       ///< of the two families of iso-curves those along v cross the edge
   struct Landmark {
     double parameter;
     Eigen::Vector3d point;

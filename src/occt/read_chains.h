@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <array>
 #include <map>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct BlendPicks {
   /// Of every edge with a face beside it; an edge without one is met G0.
   Continuity continuity = Continuity::G1;
   std::map<int, Continuity> edgeContinuity = {};  ///< by edge number, goes before `continuity`
+  /// How far into the faces the blend starts, from the first side and from the second, mm, 0 or
+  /// more. readChains() gives the edges themselves: see setback.h.
+  std::array<double, 2> setback = {};
 };
 
 /// The two chains the picks mean: the picked edges of a side, and those that continue them smoothly

@@ -14,6 +14,10 @@ namespace {
 
 using occt::ShapeIndex;
 
+boundary::Leaving leaving(bool flipped) {
+  return flipped ? boundary::Leaving::Backwards : boundary::Leaving::Onwards;
+}
+
 occt::ShapeFill blend(const ShapeIndex& shape,
                       std::vector<int> from,
                       std::vector<int> to,
@@ -21,6 +25,14 @@ occt::ShapeFill blend(const ShapeIndex& shape,
                       const std::optional<Wishes>& wishes,
                       double fromReach,
                       double toReach,
+                      std::optional<double> fromReachEnd,
+                      std::optional<double> toReachEnd,
+                      const std::string& fromDeparture,
+                      const std::string& toDeparture,
+                      bool fromFlip,
+                      bool toFlip,
+                      double fromSetback,
+                      double toSetback,
                       const std::string& energy,
                       std::optional<double> tolerance,
                       double angle,
@@ -31,9 +43,13 @@ occt::ShapeFill blend(const ShapeIndex& shape,
   const occt::BlendPicks picks{.from = std::move(from),
                                .to = std::move(to),
                                .continuity = continuityOf(continuity),
-                               .edgeContinuity = continuitiesOf(wishes.value_or(Wishes{}))};
+                               .edgeContinuity = continuitiesOf(wishes.value_or(Wishes{})),
+                               .setback = {fromSetback, toSetback}};
   const BlendOptions options{optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles),
-                             {fromReach, toReach}};
+                             {{fromReach, toReach}, {fromReachEnd, toReachEnd}},
+                             {choice(text::departureFrom, "from_departure", fromDeparture),
+                              choice(text::departureFrom, "to_departure", toDeparture)},
+                             {leaving(fromFlip), leaving(toFlip)}};
   const occt::ResultMode mode = choice(occt::resultModeFrom, "result", result);
   const py::gil_scoped_release release;
   return finished(occt::blendShape(shape, picks, options, mode, progress), progress);
@@ -61,6 +77,14 @@ void bindBlend(py::class_<ShapeIndex>& shape) {
           py::arg("edge_continuity") = py::none(),
           py::arg("from_reach") = 1.0,
           py::arg("to_reach") = 1.0,
+          py::arg("from_reach_end") = py::none(),
+          py::arg("to_reach_end") = py::none(),
+          py::arg("from_departure") = "free",
+          py::arg("to_departure") = "free",
+          py::arg("from_flip") = false,
+          py::arg("to_flip") = false,
+          py::arg("from_setback") = 0.0,
+          py::arg("to_setback") = 0.0,
           py::arg("energy") = std::string(text::word(FillOptions{}.energy)),
           py::arg("tolerance") = py::none(),
           py::arg("angle") = Tolerance{}.angle,
@@ -71,7 +95,14 @@ void bindBlend(py::class_<ShapeIndex>& shape) {
           "Joins two chains of free edges by one strip; one edge of a smooth chain is enough. "
           "continuity is G0, G1 or G2, edge_continuity holds the edges that differ. from_reach and "
           "to_reach, above 0: how far the strip goes on before it turns away from either side, 1 = "
-          "what the energy likes best. tolerance is "
+          "what the energy likes best; with from_reach_end or to_reach_end it changes linearly "
+          "from the "
+          "start of an open side to its end. from_departure and to_departure: free, perpendicular "
+          "(to the edge) or iso (along the face's iso-curves). from_flip and to_flip: leave that "
+          "side "
+          "the other way, over its face. from_setback and to_setback, mm: start inside the faces "
+          "at this "
+          "distance from the edges; the faces are trimmed back to there. tolerance is "
           "in mm (None: a millionth of the diagonal of both chains), angle in degrees, degree 3 "
           "to 9 (0: chosen from the edges). The GIL is released while solving. Raises "
           "FairingError.");

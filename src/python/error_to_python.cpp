@@ -84,6 +84,20 @@ const char* name(ErrorCode code) {
       return "OneSideOnly";
     case ErrorCode::ReachNotPositive:
       return "ReachNotPositive";
+    case ErrorCode::JunctionWish:
+      return "JunctionWish";
+    case ErrorCode::ReachVariesRound:
+      return "ReachVariesRound";
+    case ErrorCode::DepartureNotTangent:
+      return "DepartureNotTangent";
+    case ErrorCode::DepartureAlongEdge:
+      return "DepartureAlongEdge";
+    case ErrorCode::SetbackNegative:
+      return "SetbackNegative";
+    case ErrorCode::SetbackWithoutFace:
+      return "SetbackWithoutFace";
+    case ErrorCode::SetbackTooLarge:
+      return "SetbackTooLarge";
     case ErrorCode::LayoutUnfit:
       return "LayoutUnfit";
     case ErrorCode::EdgeNotInLoop:

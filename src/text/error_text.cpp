@@ -190,8 +190,41 @@ std::string blendSentence(const Error& e) {
           "A junction of three loops or more reaches as far as its energy likes best: leave the "
           "reach at 1, not {}.",
           e.value);
+    case ErrorCode::JunctionWish:
+      return fmt::format("A junction of three loops or more takes no {}: leave it out.", e.detail);
+    case ErrorCode::ReachVariesRound:
+      return fmt::format(
+          "The side of edge {} is closed, so its reach cannot grow from its start to its end: give "
+          "one number for all of it.",
+          e.edge);
     default:
-      return fmt::format("The reach must be above 0, not {}.", e.value);
+      return fmt::format("The reach must be above 0, not {}.", number(e.value));
+  }
+}
+
+std::string departureSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::DepartureNotTangent:
+      return fmt::format(
+          "{} is met in position only (G0), so no direction can be asked for there: ask for G1 or "
+          "G2, or leave the direction free.",
+          edge(e));
+    case ErrorCode::DepartureAlongEdge:
+      return fmt::format(
+          "The iso-curves of the face beside edge {} run along the edge{}: leave it "
+          "perpendicularly, or freely.",
+          e.edge,
+          at(e));
+    case ErrorCode::SetbackNegative:
+      return fmt::format("The setback must be a length of zero or more, not {}.", number(e.value));
+    case ErrorCode::SetbackWithoutFace:
+      return edge(e) + " has no face beside it, so the blend cannot be set back from it.";
+    default:
+      return fmt::format("Edge {} cannot be set back as far: face {} ends after {}{}.",
+                         e.edge,
+                         e.face,
+                         length(e.value),
+                         at(e));
   }
 }
 
@@ -273,7 +306,15 @@ std::string sentence(const Error& error) {
     case ErrorCode::ChainsUnlike:
     case ErrorCode::JunctionReach:
     case ErrorCode::ReachNotPositive:
+    case ErrorCode::ReachVariesRound:
+    case ErrorCode::JunctionWish:
       return blendSentence(error);
+    case ErrorCode::DepartureNotTangent:
+    case ErrorCode::DepartureAlongEdge:
+    case ErrorCode::SetbackNegative:
+    case ErrorCode::SetbackWithoutFace:
+    case ErrorCode::SetbackTooLarge:
+      return departureSentence(error);
     case ErrorCode::FileUnreadable:
     case ErrorCode::FileNotAShape:
     case ErrorCode::FileUnwritable:

@@ -23,6 +23,10 @@ constexpr Words<LayoutKind, 7> kLayouts{{{LayoutKind::Auto, "auto"},
                                          {LayoutKind::Strip, "strip"},
                                          {LayoutKind::Junction, "junction"},
                                          {LayoutKind::Trimmed, "trimmed"}}};
+constexpr Words<boundary::Departure, 3> kDepartures{
+    {{boundary::Departure::Free, "free"},
+     {boundary::Departure::Perpendicular, "perpendicular"},
+     {boundary::Departure::Iso, "iso"}}};
 
 template <class T, std::size_t n>
 std::string_view find(const Words<T, n>& words, T value) {
@@ -51,6 +55,9 @@ std::string_view word(EnergyKind energy) {
 std::string_view word(LayoutKind layout) {
   return find(kLayouts, layout);
 }
+std::string_view word(boundary::Departure departure) {
+  return find(kDepartures, departure);
+}
 
 std::optional<Continuity> continuityFrom(std::string_view text) {
   return find(kContinuities, text);
@@ -60,6 +67,9 @@ std::optional<EnergyKind> energyFrom(std::string_view text) {
 }
 std::optional<LayoutKind> layoutFrom(std::string_view text) {
   return find(kLayouts, text);
+}
+std::optional<boundary::Departure> departureFrom(std::string_view text) {
+  return find(kDepartures, text);
 }
 
 }  // namespace fairing::text

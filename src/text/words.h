@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/boundary/continuity.h"
+#include "core/boundary/departure.h"
 #include "core/energy/energy_kind.h"
 #include "core/layout/layout_kind.h"
 
@@ -11,12 +12,14 @@
 /// only.
 namespace fairing::text {
 
-[[nodiscard]] std::string_view word(Continuity continuity);  ///< "G0", "G1", "G2"
-[[nodiscard]] std::string_view word(EnergyKind energy);      ///< "thin-plate", ...
-[[nodiscard]] std::string_view word(LayoutKind layout);      ///< "auto", "quad", ...
+[[nodiscard]] std::string_view word(Continuity continuity);          ///< "G0", "G1", "G2"
+[[nodiscard]] std::string_view word(EnergyKind energy);              ///< "thin-plate", ...
+[[nodiscard]] std::string_view word(LayoutKind layout);              ///< "auto", "quad", ...
+[[nodiscard]] std::string_view word(boundary::Departure departure);  ///< "free", "iso", ...
 
 [[nodiscard]] std::optional<Continuity> continuityFrom(std::string_view text);
 [[nodiscard]] std::optional<EnergyKind> energyFrom(std::string_view text);
 [[nodiscard]] std::optional<LayoutKind> layoutFrom(std::string_view text);
+[[nodiscard]] std::optional<boundary::Departure> departureFrom(std::string_view text);
 
 }  // namespace fairing::text

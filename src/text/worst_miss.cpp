@@ -21,7 +21,7 @@ constexpr double kCusp = 1e9;
 
 /// A miss, measured in units of its limit. One of the three pointers is set.
 struct Miss {
-  enum class Kind { Gap, Angle, Corner, Curvature, Backwards } kind = Kind::Gap;
+  enum class Kind { Gap, Angle, Corner, Curvature, Departure, Backwards } kind = Kind::Gap;
   double ratio = 0.0;
   const SideReport* side = nullptr;
   const SeamReport* seam = nullptr;
@@ -49,6 +49,8 @@ class Ranking {
     consider({Miss::Kind::Angle, side.angle.max / report.angleLimit, &side});
     consider({Miss::Kind::Corner, side.cornerAngle.max / side.cornerAngleLimit, &side});
     if (side.backwards) consider({Miss::Kind::Backwards, kCusp, &side});
+    if (side.departure.count > 0)
+      consider({Miss::Kind::Departure, side.departure.max / report.departureLimit, &side});
     if (!asksCurvature(side)) return;
     consider({Miss::Kind::Curvature, side.curvature.max / report.curvatureLimit, &side});
   }
@@ -107,9 +109,21 @@ std::string sideSentence(const FillReport& report, const Miss& miss) {
                          length(report.gapLimit),
                          edgeReason(side));
     case Miss::Kind::Backwards:
-      return fmt::format("The patch leaves edge {} backwards, in a cusp, near {}",
-                         side.edge,
-                         point(side.angle.where));
+      return side.askedLeaving == boundary::Leaving::Backwards
+                 ? fmt::format(
+                       "The patch leaves edge {} onwards, though it is to be flipped, near {}",
+                       side.edge,
+                       point(side.angle.where))
+                 : fmt::format("The patch leaves edge {} backwards, in a cusp, near {}",
+                               side.edge,
+                               point(side.angle.where));
+    case Miss::Kind::Departure:
+      return fmt::format(
+          "The patch leaves edge {} {} off the direction asked for at {} (allowed: {})",
+          side.edge,
+          angle(side.departure.max),
+          point(side.departure.where),
+          angle(report.departureLimit));
     case Miss::Kind::Angle:
       return fmt::format("Edge {} misses tangency by {} at {}{}",
                          side.edge,

@@ -210,3 +210,24 @@ def test_reaches_farther_and_stays_tangent(tubes):
     # the wide tube goes on farther before it turns in: more room inside
     assert longer.isValid() and longer.Area > plain.Area + 1.0
     refused("ReachNotPositive", lambda: fairing.blend(shape, [low], [high], from_reach=0.0))
+
+
+def test_leaves_its_sides_as_asked(tubes):
+    shape, low, high = tubes
+    _, report = fairing.blend(shape, [low], [high], from_departure="perpendicular", to_departure="iso")
+    assert report["within_tolerance"] and all(side["departure"]["max"] < 0.1 for side in report["sides"])
+    _, flipped = fairing.blend(shape, [low], [high], to_flip=True)
+    assert [side["flipped"] for side in flipped["sides"]] == [False, True]
+    assert not any(side["backwards"] for side in flipped["sides"])
+    refused("ReachVariesRound", lambda: fairing.blend(shape, [low], [high], from_reach_end=2.0))
+    refused("UnknownChoice", lambda: fairing.blend(shape, [low], [high], to_departure="along"))
+
+
+def test_starts_inside_the_faces(tubes):
+    shape, low, high = tubes
+    plain, _ = fairing.blend(shape, [low], [high])
+    longer, report = fairing.blend(shape, [low], [high], from_setback=1.0, to_setback=2.0)
+    assert report["within_tolerance"] and [side["edge"] for side in report["sides"]] == [low, high]
+    assert abs(longer.BoundBox.ZLength - plain.BoundBox.ZLength - 3.0) < 1e-5
+    refused("SetbackTooLarge", lambda: fairing.blend(shape, [low], [high], from_setback=1000.0))
+    refused("SetbackNegative", lambda: fairing.blend(shape, [low], [high], to_setback=-1.0))

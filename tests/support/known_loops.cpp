@@ -101,7 +101,7 @@ BoundarySide sideOn(const KnownSurface& surface, const Trace& trace, int index) 
   ribbon.support = [surface, trace](double t) {
     const TracePoint at = trace(t);
     const spline::SurfaceJet jet = surface(at.point[0], at.point[1]);
-    return SupportSample{jet.point, normalOf(jet), secondFormOf(jet), false};
+    return SupportSample{jet.point, normalOf(jet), secondFormOf(jet)};
   };
   return numbered(std::move(ribbon), index);
 }

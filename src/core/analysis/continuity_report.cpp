@@ -22,6 +22,7 @@ constexpr double kTwistShare = 0.1;
 constexpr double kFinestSpan = 1.0 / 64.0;
 // What the angle next to corners whose twists disagree may be, in limits of the others.
 constexpr double kTwistAllowance = 2.0;
+constexpr double kDepartureLimit = 0.1;  // degrees
 
 void add(Deviation& d, double value, const ProbePoint& probe) {
   if (d.count == 0 || value > d.max) {
@@ -43,19 +44,30 @@ double angleBetween(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * kDegrees;
 }
 
+// Between a patch's cross tangent and the direction a side asks for.
+double departureAngle(const ProbePoint& probe,
+                      const MeasuredFoot& foot,
+                      boundary::Departure asked) {
+  if (asked == boundary::Departure::Iso) return angleBetween(foot.across, probe.iso);
+  return std::asin(std::min(1.0, std::abs(foot.across.dot(probe.tangent)))) * kDegrees;
+}
+
 void addFoot(const ProbePoint& probe, const MeasuredFoot& foot, double flat, SideReport& report) {
   add(report.gap, foot.gap, probe);
   if (!probe.hasNormal) return;
   const double angle = angleBetween(foot.normal, probe.normal);
   // The hole is to the left of the side seen against the support's normal; so must be the patch.
   const double agreement = foot.normal.dot(probe.normal) < 0.0 ? -1.0 : 1.0;
-  if (foot.side * agreement < 0.0) report.backwards = true;
+  const double asked = report.askedLeaving == boundary::Leaving::Backwards ? -1.0 : 1.0;
+  if (asked * foot.side * agreement < 0.0) report.backwards = true;
+  if (report.askedDeparture != boundary::Departure::Free && !foot.across.isZero())
+    add(report.departure, departureAngle(probe, foot, report.askedDeparture), probe);
   report.floorAngle = std::max(report.floorAngle, probe.floor);
   report.angleCurve.push_back({probe.t, angle, probe.floor, probe.inCorner});
   add(probe.inCorner ? report.cornerAngle : report.angle, angle, probe);
   if (probe.inCorner) return;
-  const double asked = probe.curvature, got = agreement * foot.curvature;
-  const double mismatch = std::abs(asked - got) / (std::abs(asked) + std::abs(got) + flat);
+  const double own = probe.curvature, got = agreement * foot.curvature;
+  const double mismatch = std::abs(own - got) / (std::abs(own) + std::abs(got) + flat);
   report.angleCurve.back().curvature = mismatch;
   add(report.curvature, mismatch, probe);
 }
@@ -86,6 +98,7 @@ void judge(FillReport& report) {
       report.largestAngle = std::max(report.largestAngle, side.angle.max);
       report.largestCornerAngle = std::max(report.largestCornerAngle, side.cornerAngle.max);
     }
+    side.withinTolerance = side.withinTolerance && within(side.departure, report.departureLimit);
     if (side.asked == Continuity::G2) {
       side.withinTolerance = side.withinTolerance && within(side.curvature, report.curvatureLimit);
       report.largestCurvature = std::max(report.largestCurvature, side.curvature.max);
@@ -104,12 +117,15 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
   report.gapLimit = tolerance.gapFor(loop.diagonal);
   report.angleLimit = tolerance.angle;
   report.curvatureLimit = tolerance.curvature;
+  report.departureLimit = kDepartureLimit;
   report.cornerAngleLimit = std::max(tolerance.cornerAngle, tolerance.angle);
   for (const BoundarySide& side : loop.sides) {
     SideReport entry;
     entry.edge = side.edge;
     entry.face = side.face;
     entry.asked = side.continuity;
+    entry.askedDeparture = side.departure;
+    entry.askedLeaving = side.leaving;
     entry.supportDeviation = side.supportDeviation;
     report.sides.push_back(entry);
   }
@@ -150,7 +166,9 @@ FillReport measureLoop(const BoundaryLoop& loop,
     SideReport& side = report.sides[k];
     for (std::size_t i = 0; i < feet[k].size(); ++i)
       addFoot(probe.sides[k][i], feet[k][i], kFlat / loop.diagonal, side);
-    for (Deviation* d : {&side.gap, &side.angle, &side.cornerAngle, &side.curvature}) finish(*d);
+    for (Deviation* d :
+         {&side.gap, &side.angle, &side.cornerAngle, &side.curvature, &side.departure})
+      finish(*d);
   }
   judge(report);
   return report;

@@ -35,6 +35,8 @@ struct SideReport {
   int edge = 0;
   int face = 0;
   Continuity asked = Continuity::G1;
+  boundary::Departure askedDeparture = boundary::Departure::Free;
+  boundary::Leaving askedLeaving = boundary::Leaving::Onwards;
   Deviation gap;          ///< boundary curve to the patch's surface, mm
   Deviation angle;        ///< between the normals, inside, degrees
   Deviation cornerAngle;  ///< the same next to the corners, degrees
@@ -43,11 +45,14 @@ struct SideReport {
   double cornerAngleLimit = 0.0;
   Deviation
       curvature;  ///< relative difference of the normal curvatures across the side, inside, 0 to 1
+  /// Between the cross tangents and the direction asked for, degrees; not measured where that is
+  /// free.
+  Deviation departure;
   double supportDeviation = 0.0;  ///< edge to its own support face as found in the base, mm
   double followedBy =
       0.0;  ///< how far the patch left the edge to follow its face, mm (boundary/follow_support.h)
-  bool backwards =
-      false;  ///< the patch leaves the side on the wrong half of the tangent plane (a cusp)
+  bool backwards = false;  ///< the patch leaves the side on the half of the tangent plane that it
+                           ///< was not to: in a cusp, unless askedLeaving is Backwards
   bool withinTolerance = false;
   /// The largest angle that is the edge's own: its tangent leaves the support's tangent plane by as
   /// much, and no patch through the edge can come closer there. Degrees.
@@ -115,6 +120,7 @@ struct FillReport {
   double angleLimit = 0.0;
   double cornerAngleLimit = 0.0;  ///< at corners whose twists agree
   double curvatureLimit = 0.0;    ///< of G2 sides, relative
+  double departureLimit = 0.0;    ///< of sides with a direction asked for, degrees
   double largestGap = 0.0;        ///< over all sides
   double largestAngle = 0.0;      ///< over all sides with G1, inside
   double largestCornerAngle = 0.0;
@@ -132,6 +138,8 @@ struct MeasuredFoot {
   double curvature = 0.0;  ///< normal curvature across the side, against `normal`, 1/mm
   /// +1 where the patch lies to the left of the side seen against `normal`, -1 where to the right.
   double side = 1.0;
+  /// The derivative across the side, of unit length; zero where what spans the hole has none.
+  Eigen::Vector3d across = Eigen::Vector3d::Zero();
 };
 
 /// Finds the foot of a probe point of side `side` on whatever spans the hole.

@@ -53,6 +53,7 @@ ProbePoint probe(const boundary::Ribbon& ribbon,
   p.hasNormal = !support.singular;
   if (!p.hasNormal) return p;
   p.normal = support.normal;
+  p.iso = support.iso;
   const Eigen::Vector3d across = p.normal.cross(p.tangent).normalized();
   p.curvature = across.dot(support.secondForm * across);
   const Eigen::Vector3d along = target.curve(t).derivative.normalized();

@@ -18,6 +18,7 @@ struct ProbePoint {
   bool hasNormal = false;  ///< the support has a normal here, and this is no end of the side
   Eigen::Vector3d normal;  ///< of the support face, unit
   double curvature = 0.0;  ///< normal curvature of the support face across the side, 1/mm
+  Eigen::Vector3d iso;     ///< SupportSample::iso
   /// The edge's tangent leaves the support's tangent plane by this angle, degrees: no patch through
   /// the edge comes closer.
   double floor = 0.0;

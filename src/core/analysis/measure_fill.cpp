@@ -26,6 +26,12 @@ double sideOf(const SideTrace& trace, const spline::BsplineSurface& patch) {
   return along.x() * inside.y() - along.y() * inside.x() < 0.0 ? -1.0 : 1.0;
 }
 
+// Traces run along an edge of the patch.
+Eigen::Vector3d acrossOf(const SideTrace& trace, const spline::SurfaceJet& jet) {
+  const Eigen::Vector2d along = (trace.end - trace.start).cwiseAbs();
+  return (along.x() > along.y() ? jet.v : jet.u).normalized();
+}
+
 }  // namespace
 
 FillReport measureFill(const boundary::BoundaryLoop& loop,
@@ -42,7 +48,8 @@ FillReport measureFill(const boundary::BoundaryLoop& loop,
     return MeasuredFoot{foot.distance,
                         normal,
                         normalCurvature(foot.jet, normal.cross(p.tangent)),
-                        sideOf(trace, patch)};
+                        sideOf(trace, patch),
+                        acrossOf(trace, foot.jet)};
   });
 }
 

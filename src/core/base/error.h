@@ -50,6 +50,13 @@ enum class ErrorCode {
   OneSideOnly,            ///< detail = "from" or "to": no edge picked for this side of a blend
   ReachNotPositive,       ///< value = the reach given
   JunctionReach,          ///< value = the reach given: a junction of three loops or more has none
+  JunctionWish,           ///< detail = "flip", "setback", ...: not for three loops or more
+  ReachVariesRound,       ///< edge of a closed side whose reach is to vary along it
+  DepartureNotTangent,    ///< edge met in position only, with a direction or flip asked for
+  DepartureAlongEdge,     ///< edge, where: the iso-curves of its face run along it
+  SetbackNegative,        ///< value = the setback given
+  SetbackWithoutFace,     ///< edge: to be set back, but no face lies beside it
+  SetbackTooLarge,        ///< edge, face, value = mm: how far the face lets it go back
   LayoutUnfit,            ///< detail = "quad", "star", ...: the loop does not suit the asked layout
   // numerics
   SystemSingular,  ///< the linear system has no unique solution

@@ -5,17 +5,15 @@
 
 // The pipeline (docs/ARCHITECTURE.md):
 //
-//   two chains -> ChainPair -> LayoutPlan (strip) -> spanPlan -> reach as the energy likes it? ->
-//   done
-//                                                                       | ^
-//                                                                  held rows -> spanAgain
-//                                                                  ---------+
+//   two chains -> ChainPair -> LayoutPlan (strip) -> spanPlan -> leaves as asked?
+//     no: turnedRows -> spanAgain        reach not 1: scaledRows -> spanAgain
 
 namespace fairing {
 
 std::optional<Error> validate(const BlendOptions& options) {
-  for (const double reach : options.reach)
-    if (!(reach > 0.0)) return Error{.code = ErrorCode::ReachNotPositive, .value = reach};
+  for (const std::size_t side : {std::size_t(0), std::size_t(1)})
+    for (const double reach : {options.reach.at(side, 0.0), options.reach.at(side, 1.0)})
+      if (!(reach > 0.0)) return Error{.code = ErrorCode::ReachNotPositive, .value = reach};
   return validate(options.fill);
 }
 
@@ -23,9 +21,9 @@ Result<FillResult> blendChains(const boundary::ChainPair& pair,
                                const BlendOptions& options,
                                Progress* progress) {
   if (const auto wrong = validate(options)) return fail(*wrong);
-  const auto natural = NaturalStrip::make(pair, options.fill, progress);
+  const auto natural = NaturalStrip::make(pair, options, progress);
   if (!natural) return fail(natural.error());
-  return options.reach == Reach{1.0, 1.0} ? natural->result() : natural->reaching(options.reach);
+  return options.reach.isNatural() ? natural->result() : natural->reaching(options.reach);
 }
 
 }  // namespace fairing

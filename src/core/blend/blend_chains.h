@@ -2,7 +2,7 @@
 #pragma once
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/blend/reach.h"
+#include "core/blend/departure_check.h"
 #include "core/boundary/side_chain.h"
 #include "core/span/fill_options.h"
 #include "core/span/fill_result.h"
@@ -12,7 +12,9 @@ namespace fairing {
 /// Everything a caller may choose about a blend.
 struct BlendOptions {
   FillOptions fill;  ///< the layout is a strip, whatever it says
-  Reach reach{1.0, 1.0};
+  Reach reach = {};
+  std::array<boundary::Departure, 2> departure{};  ///< from the first chain and from the second
+  std::array<boundary::Leaving, 2> leaving{};
 };
 
 /// The first thing wrong with the options, if any: ReachNotPositive or what validate() says of a
@@ -22,7 +24,8 @@ struct BlendOptions {
 /// Joins two chains of sides by one strip that leaves each of them as its sides ask and minimises
 /// the chosen energy; ends of open chains are left free, closed chains give a strip that closes
 /// upon itself with its curvature. Refined, measured and returned as fillHole() does. Fails with
-/// the codes of validate(), SystemSingular, NotFinite or Cancelled. docs/algorithms/strip_blend.md
+/// the codes of validate() and checkDepartures(), SystemSingular, NotFinite or Cancelled.
+/// docs/algorithms/strip_blend.md
 [[nodiscard]] Result<FillResult> blendChains(const boundary::ChainPair& pair,
                                              const BlendOptions& options,
                                              Progress* progress = nullptr);

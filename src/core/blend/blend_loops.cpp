@@ -12,8 +12,14 @@ Result<FillResult> blendLoops(const boundary::BoundaryLoop& loop,
                               const BlendOptions& options,
                               Progress* progress) {
   if (const auto wrong = validate(options)) return fail(*wrong);
-  for (const double reach : options.reach)
-    if (reach != 1.0) return fail({.code = ErrorCode::JunctionReach, .value = reach});
+  for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
+    for (const double reach : {options.reach.at(side, 0.0), options.reach.at(side, 1.0)})
+      if (reach != 1.0) return fail({.code = ErrorCode::JunctionReach, .value = reach});
+    if (options.departure[side] != boundary::Departure::Free)
+      return fail({.code = ErrorCode::JunctionWish, .detail = "direction of departure"});
+    if (options.leaving[side] != boundary::Leaving::Onwards)
+      return fail({.code = ErrorCode::JunctionWish, .detail = "flip"});
+  }
   boundary::BoundaryLoop target = followedLoop(loop, options.fill.tolerance);
   auto plan = layout::junctionPlan(target);
   if (!plan) return fail(plan.error());

@@ -10,8 +10,8 @@ namespace fairing {
 
 /// Joins three or more closed chains (boundary::ringOfLoops()) by patches that leave each of them
 /// as its sides ask, meet each other G1 and minimise the chosen energy. Refined, measured and
-/// returned as fillHole() does. Fails with JunctionReach where a reach is not 1, the codes of
-/// validate(), SystemSingular, NotFinite or Cancelled. docs/algorithms/junction.md
+/// returned as fillHole() does. Fails with JunctionReach where a reach is not 1, JunctionWish, the
+/// codes of validate(), SystemSingular, NotFinite or Cancelled. docs/algorithms/junction.md
 [[nodiscard]] Result<FillResult> blendLoops(const boundary::BoundaryLoop& loop,
                                             const BlendOptions& options,
                                             Progress* progress = nullptr);

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/blend/inner_rows.h"
 #include "core/layout/strip.h"
 
 namespace fairing {
@@ -11,22 +12,47 @@ NaturalStrip::NaturalStrip(Span span, FillOptions options, FillResult result)
     : span_(std::move(span)), options_(std::move(options)), result_(std::move(result)) {}
 
 Result<NaturalStrip> NaturalStrip::make(const boundary::ChainPair& pair,
-                                        const FillOptions& options,
+                                        const BlendOptions& options,
                                         Progress* progress) {
-  boundary::ChainPair target = pair;
-  target.sides = followedLoop(pair.sides, options.tolerance);
+  if (const auto wrong = checkDepartures(pair, {options.departure, options.leaving, options.reach}))
+    return fail(*wrong);
+  boundary::ChainPair asked = pair;
+  for (std::size_t k = 0; k < asked.sides.sides.size(); ++k) {
+    const std::size_t chain = k < pair.firstCount ? 0 : 1;
+    asked.sides.sides[k].departure = options.departure[chain];
+    asked.sides.sides[k].leaving = options.leaving[chain];
+  }
+  boundary::ChainPair target = asked;
+  target.sides = followedLoop(asked.sides, options.fill.tolerance);
   auto plan = layout::stripPlan(target);
   if (!plan) return fail(plan.error());
-  analysis::LoopProbe probe = analysis::probeLoop(pair.sides, target.sides);
-  Span span{pair.sides, std::move(target.sides), std::move(probe), std::move(*plan)};
-  auto result = spanPlan(span, options, progress);
+  analysis::LoopProbe probe = analysis::probeLoop(asked.sides, target.sides);
+  Span span{std::move(asked.sides), std::move(target.sides), std::move(probe), std::move(*plan)};
+  auto result = spanPlan(span, options.fill, progress);
   if (!result) return fail(result.error());
-  return NaturalStrip(std::move(span), options, std::move(*result));
+  NaturalStrip strip(std::move(span), options.fill, std::move(*result));
+  if (const auto error = strip.turn()) return fail(*error);
+  return strip;
+}
+
+std::optional<Error> NaturalStrip::turn() {
+  const auto layout = layoutOf(span_.plan, result_.patches);
+  const StripRows rows{span_.plan.cut.loop, layout, result_.patches};
+  const std::array<bool, 2> amiss = leavesAmiss(rows);
+  if (!amiss[0] && !amiss[1]) return std::nullopt;
+  const auto held = turnedRows(rows, amiss);
+  if (!held) return held.error();
+  auto turned = spanAgain(span_, result_.patches, *held, options_);
+  if (!turned) return turned.error();
+  result_ = std::move(*turned);
+  return std::nullopt;
 }
 
 Result<FillResult> NaturalStrip::reaching(const Reach& reach) const {
   const auto layout = layoutOf(span_.plan, result_.patches);
-  return spanAgain(span_, result_.patches, heldRows(layout, result_.patches, reach), options_);
+  const auto held = scaledRows({span_.plan.cut.loop, layout, result_.patches}, reach);
+  if (!held) return fail(held.error());
+  return spanAgain(span_, result_.patches, *held, options_);
 }
 
 }  // namespace fairing

@@ -2,21 +2,23 @@
 #pragma once
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/blend/blend_chains.h"
 #include "core/blend/reach.h"
 #include "core/boundary/side_chain.h"
-#include "core/span/fill_options.h"
 #include "core/span/fill_result.h"
 #include "core/span/span_plan.h"
 
 namespace fairing {
 
-/// A strip as its energy likes it best, kept so that its sides can be made to reach farther at the
-/// cost of one solve: for previews that follow a slider.
+/// A strip as its energy likes it best among those that leave their sides as asked, kept so that
+/// its sides can be made to reach farther at the cost of one solve: for previews that follow a
+/// slider.
 class NaturalStrip {
  public:
-  /// Fails as spanPlan() and the strip's plan do.
+  /// What `options` say of the reach is left to reaching(). Fails as checkDepartures(), spanPlan()
+  /// and the strip's plan do.
   [[nodiscard]] static Result<NaturalStrip> make(const boundary::ChainPair& pair,
-                                                 const FillOptions& options,
+                                                 const BlendOptions& options,
                                                  Progress* progress = nullptr);
 
   [[nodiscard]] const FillResult& result() const { return result_; }
@@ -24,6 +26,9 @@ class NaturalStrip {
   [[nodiscard]] Result<FillResult> reaching(const Reach& reach) const;
 
  private:
+  /// The natural strip with the sides that it leaves amiss turned.
+  [[nodiscard]] std::optional<Error> turn();
+
   NaturalStrip(Span span, FillOptions options, FillResult result);
 
   Span span_;

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <array>
-
-#include "core/layout/patch_layout.h"
-#include "core/span/span_hole.h"
+#include <optional>
 
 namespace fairing {
 
 /// How far a strip reaches before it turns away from either side, as a factor of what its energy
-/// likes best: the length of the cross tangents. Side 0 is the first chain's.
-using Reach = std::array<double, 2>;
+/// likes best: the length of the cross tangents. Entry 0 is the first chain's.
+struct Reach {
+  std::array<double, 2> start{1.0, 1.0};
+  /// At the end of the side, linear between, in the parameter of the strip; none: as at the start,
+  /// all along. A side starts where its chain does (boundary/side_chain.h).
+  std::array<std::optional<double>, 2> end = {};
 
-/// The rows of points next to both sides, at `reach` times their distance from the outer rows in
-/// `patches`. R_v . n = 0 is homogeneous in these differences, so that tangency stays exact.
-[[nodiscard]] HeldPoints heldRows(const layout::PatchLayout& layout,
-                                  const Patches& patches,
-                                  const Reach& reach);
+  [[nodiscard]] double at(std::size_t side, double t) const {
+    return start[side] + t * (end[side].value_or(start[side]) - start[side]);
+  }
+  [[nodiscard]] bool varies(std::size_t side) const {
+    return end[side] && *end[side] != start[side];
+  }
+  [[nodiscard]] bool isNatural() const {
+    return start == std::array{1.0, 1.0} && !varies(0) && !varies(1);
+  }
+};
 
 }  // namespace fairing

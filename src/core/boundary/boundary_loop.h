@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/boundary/continuity.h"
+#include "core/boundary/departure.h"
 #include "core/boundary/ribbon.h"
 
 namespace fairing::boundary {
@@ -29,6 +30,8 @@ struct BoundarySide {
   /// Where edges that ask for different continuity make one side: ascending, the last one's t is 1.
   /// Empty = `continuity` (the strictest of them) all along.
   std::vector<ContinuityUpTo> stretches;
+  Departure departure = Departure::Free;  ///< asked of sides that are tangent
+  Leaving leaving = Leaving::Onwards;     ///< what counts as backwards is judged by it
 
   [[nodiscard]] Continuity continuityAt(double t) const {
     for (const ContinuityUpTo& stretch : stretches)

@@ -18,15 +18,15 @@ constexpr double kEndsShare = 1e-8;      // of the diagonal: an end closer than 
 constexpr double kFitShare = 2e-2;
 constexpr int kDegree = 5, kMostPoles = 80;
 
-struct Departure {
+struct Offset {
   double angleRatio =
       0.0;  // largest angle of the tangent to the tangent plane, over what is allowed there
   double distance = 0.0;  // largest distance of the curve from the face, mm
   double atEnds = 0.0;    // the same of the two ends
 };
 
-Departure departureOf(const Ribbon& ribbon, double angle, double cornerAngle) {
-  Departure worst;
+Offset offsetOf(const Ribbon& ribbon, double angle, double cornerAngle) {
+  Offset worst;
   for (int k = 0; k <= kSamples; ++k) {
     const double t = static_cast<double>(k) / kSamples;
     const SupportSample support = ribbon.support(t);
@@ -75,11 +75,11 @@ BoundaryLoop followSupports(const BoundaryLoop& loop, double angle, double corne
   for (BoundarySide& side : followed.sides) {
     if (side.continuity == Continuity::G0 || !side.ribbon.hasSupport()) continue;
     if (side.supportDeviation <= kEndsShare * loop.diagonal) continue;
-    const Departure departure = departureOf(side.ribbon, angle, cornerAngle);
-    if (departure.angleRatio <= 1.0 || departure.atEnds > kEndsShare * loop.diagonal) continue;
-    const double share = 1.0 - 1.0 / departure.angleRatio;
-    if (share * departure.distance > kFarthestShare * loop.diagonal) continue;
-    side.followedBy = share * departure.distance;
+    const Offset offset = offsetOf(side.ribbon, angle, cornerAngle);
+    if (offset.angleRatio <= 1.0 || offset.atEnds > kEndsShare * loop.diagonal) continue;
+    const double share = 1.0 - 1.0 / offset.angleRatio;
+    if (share * offset.distance > kFarthestShare * loop.diagonal) continue;
+    side.followedBy = share * offset.distance;
     setCurve(side.ribbon, movedCurve(side.ribbon, share, kFitShare * side.followedBy));
   }
   return followed;

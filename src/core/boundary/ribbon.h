@@ -22,6 +22,9 @@ struct SupportSample {
   /// Shape operator -dn as a symmetric form in space: II(a, b) = a' * secondForm * b for tangent
   /// vectors a and b, 1/mm.
   Eigen::Matrix3d secondForm = Eigen::Matrix3d::Zero();
+  /// Unit, tangent to the face: along those of its iso-curves that cross the edge; zero where the
+  /// face has none to speak of.
+  Eigen::Vector3d iso = Eigen::Vector3d::Zero();
   bool singular = false;  ///< no normal here, nor a limit
   bool isLimit = false;   ///< the face has no normal here: it is the limit from within the face
 };

@@ -115,6 +115,38 @@ std::vector<Collocation> periodicCollocation(const spline::KnotVector& knots) {
   return places;
 }
 
+// R_v . direction = 0 at a parameter of the patch.
+solver::LinearRow perpendicularRow(const ConstrainedEdge& edge,
+                                   double s,
+                                   const Vector3d& direction) {
+  const spline::BasisRow basis = spline::basisRow(edge.knots, s);
+  solver::LinearRow row;
+  for (int k = 0; k <= edge.knots.degree(); ++k) {
+    const double b = basis.values(0, k);
+    row.points.push_back(edge.inner[static_cast<std::size_t>(basis.first + k)]);
+    row.weights.push_back(b * direction);
+    row.right += b * edge.use->curve.poles.row(basis.first + k).dot(direction);
+  }
+  return row;
+}
+
+// The direction in the tangent plane that R_v must not have a share of, for it to leave as asked.
+std::optional<Vector3d> forbiddenDirection(const ConstrainedEdge& edge,
+                                           double s,
+                                           const Vector3d& normal) {
+  const auto& ribbon = edge.side->ribbon;
+  const double t = edge.sideParameter(s);
+  switch (edge.side->departure) {
+    case boundary::Departure::Perpendicular:
+      return ribbon.curve(t).derivative.normalized();
+    case boundary::Departure::Iso:
+      return normal.cross(ribbon.support(t).iso).normalized();
+    case boundary::Departure::Free:
+      break;
+  }
+  return std::nullopt;
+}
+
 // Rows of unit size, lest the rank depend on the knots.
 solver::LinearRow scaled(solver::LinearRow row) {
   double largest = 0.0;
@@ -187,22 +219,15 @@ std::vector<Collocation> collocation(const ConstrainedEdge& edge) {
 
 Result<solver::ConstraintBlock> tangentRows(const ConstrainedEdge& edge) {
   solver::ConstraintBlock block;
-  const auto pole = [&](int i) { return edge.use->curve.poles.row(i); };
   int asked = 0;
   for (const auto& [i, s] : collocation(edge)) {
     if (!edge.isTangentAt(edge.sideParameter(s))) continue;
     ++asked;
     const Vector3d normal = constraintNormal(edge.side->ribbon, edge.sideParameter(s));
     if (!normal.allFinite()) continue;
-    const spline::BasisRow basis = spline::basisRow(edge.knots, s);
-    solver::LinearRow row;
-    for (int k = 0; k <= edge.knots.degree(); ++k) {
-      const double b = basis.values(0, k);
-      row.points.push_back(edge.inner[static_cast<std::size_t>(basis.first + k)]);
-      row.weights.push_back(b * normal);
-      row.right += b * pole(basis.first + k).dot(normal);
-    }
-    block.rows.push_back(std::move(row));
+    block.rows.push_back(perpendicularRow(edge, s, normal));
+    if (const auto forbidden = forbiddenDirection(edge, s, normal))
+      block.rows.push_back(perpendicularRow(edge, s, *forbidden));
     block.solvedFor.push_back(edge.inner[static_cast<std::size_t>(i)]);
   }
   if (asked > 0 && block.rows.empty()) return fail(singularAt(edge, edge.knots.first()));

@@ -59,7 +59,8 @@ struct Collocation {
 /// n has a double zero already; a closed edge has those of the periodic spline it is.
 [[nodiscard]] std::vector<Collocation> collocation(const ConstrainedEdge& edge);
 
-/// R_v . n = 0 along an edge, collocated.
+/// R_v . n = 0 along an edge, collocated; where the side asks for a direction d of departure in the
+/// tangent plane, R_v . (n x d) = 0, too.
 /// Where the support has no normal nothing is asked. Fails with SupportNormalSingular where it has
 /// none all along.
 [[nodiscard]] Result<solver::ConstraintBlock> tangentRows(const ConstrainedEdge& edge);

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/blend/inner_rows.h"
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/boundary/constraint_normal.h"
+#include "core/constraint/constraint_set.h"
+#include "core/solver/solve.h"
+
+namespace fairing {
+namespace {
+
+using boundary::Departure;
+using Eigen::RowVector3d;
+using Eigen::Vector3d;
+using layout::PatchEdge;
+
+constexpr std::array<PatchEdge, 2> kEdges{PatchEdge::South, PatchEdge::North};
+constexpr int kSamples = 64;
+
+// The rows of one patch on a side and next to it, in the side's direction.
+struct Row {
+  const boundary::BoundarySide* side = nullptr;
+  std::size_t chain = 0;  // 0: first, on the South edge; 1: second, on the North edge
+  std::size_t patch = 0;
+  std::vector<int> outer, inner;
+  std::vector<double> t;  // parameters of the side that belong to the points
+  /// The stretch of its chain that the side is, by length.
+  double from = 0.0, to = 1.0;
+};
+
+std::vector<Row> rowsOf(const StripRows& strip) {
+  std::vector<Row> rows;
+  std::array<double, 2> length{0.0, 0.0};
+  for (std::size_t p = 0; p < strip.layout.patches.size(); ++p)
+    for (std::size_t chain = 0; chain < 2; ++chain) {
+      const layout::LayoutPatch& patch = strip.layout.patches[p];
+      const auto& use = patch.edges[static_cast<std::size_t>(kEdges[chain])];
+      if (!use) continue;
+      const spline::KnotVector knots = layout::edgeKnots(patch, kEdges[chain]).mapped(0.0, 1.0);
+      Row row{&strip.sides.sides[static_cast<std::size_t>(use->side)],
+              chain,
+              p,
+              layout::edgePoints(patch, kEdges[chain], 0),
+              layout::edgePoints(patch, kEdges[chain], 1),
+              {}};
+      for (int i = 0; i < knots.poleCount(); ++i) row.t.push_back(knots.greville(i));
+      row.from = length[chain];
+      row.to = length[chain] += row.side->length;
+      rows.push_back(std::move(row));
+    }
+  // Patches follow each other along the first chain; the second one runs the other way.
+  for (Row& row : rows) {
+    row.from /= length[row.chain];
+    row.to /= length[row.chain];
+    if (row.chain == 1)
+      row = {row.side, 1, row.patch, row.outer, row.inner, row.t, 1.0 - row.to, 1.0 - row.from};
+  }
+  return rows;
+}
+
+// Away from the face, in its tangent plane, as the side asks; unit length. Where the support has no
+// normal: NaN.
+Vector3d askedDirection(const boundary::BoundarySide& side, double t) {
+  const Vector3d left = boundary::constraintNormal(side.ribbon, t)
+                            .cross(side.ribbon.curve(t).derivative)
+                            .normalized();
+  Vector3d direction = left;
+  if (side.departure == Departure::Iso) {
+    direction = side.ribbon.support(t).iso;
+    if (direction.dot(left) < 0.0) direction = -direction;
+  }
+  return side.leaving == boundary::Leaving::Backwards ? -direction : direction;
+}
+
+HeldPoints held(const StripRows& strip, const solver::Points& points) {
+  HeldPoints result;
+  for (const Row& row : rowsOf(strip))
+    result.points.insert(result.points.end(), row.inner.begin(), row.inner.end());
+  result.values.resize(static_cast<Eigen::Index>(result.points.size()), 3);
+  for (std::size_t k = 0; k < result.points.size(); ++k)
+    result.values.row(static_cast<Eigen::Index>(k)) = points.row(result.points[k]);
+  return result;
+}
+
+// Minimises the sum over the inner rows of |point - wanted|^2 subject to what the sides ask, all
+// other points being where they are.
+Result<solver::Points> nearestThatMeet(const StripRows& strip, const solver::Points& wanted) {
+  auto constraints = constraint::constrainSides(strip.sides, strip.layout);
+  if (!constraints) return fail(constraints.error());
+  solver::QuadraticProgram program;
+  program.stiffness.resize(wanted.rows(), wanted.rows());
+  program.stiffness.setIdentity();
+  program.load = Eigen::Map<const Eigen::VectorXd>(wanted.data(), wanted.size());
+  program.fixed.assign(static_cast<std::size_t>(wanted.rows()), 1);
+  program.values = wanted;
+  for (const Row& row : rowsOf(strip))
+    for (const int point : row.inner) program.fixed[static_cast<std::size_t>(point)] = 0;
+  program.ties = std::move(constraints->ties);
+  program.blocks = std::move(constraints->blocks);
+  auto solution = solver::solve(program);
+  if (!solution) return fail(solution.error());
+  return std::move(solution->points);
+}
+
+}  // namespace
+
+Result<HeldPoints> scaledRows(const StripRows& strip, const Reach& reach) {
+  solver::Points points = pointsOf(strip.layout, strip.patches);
+  for (const Row& row : rowsOf(strip)) {
+    for (std::size_t i = 0; i < row.inner.size(); ++i) {
+      const RowVector3d outer = points.row(row.outer[i]), inner = points.row(row.inner[i]);
+      points.row(row.inner[i]) =
+          outer + reach.at(row.chain, row.from + row.t[i] * (row.to - row.from)) * (inner - outer);
+    }
+  }
+  if (!reach.varies(0) && !reach.varies(1)) return held(strip, points);
+  const auto nearest = nearestThatMeet(strip, points);
+  if (!nearest) return fail(nearest.error());
+  return held(strip, *nearest);
+}
+
+std::array<bool, 2> leavesAmiss(const StripRows& strip) {
+  std::array<bool, 2> amiss{false, false};
+  for (const Row& row : rowsOf(strip)) {
+    const boundary::BoundarySide& side = *row.side;
+    if (side.continuity == Continuity::G0 || !side.ribbon.hasSupport()) continue;
+    const spline::BsplineSurface& patch = strip.patches[row.patch];
+    for (int i = 0; i < kSamples; ++i) {
+      const double t = (i + 0.5) / kSamples;
+      if (side.continuityAt(t) == Continuity::G0) continue;
+      const Vector3d direction = askedDirection(side, t);
+      if (!direction.allFinite()) continue;
+      const double along = patch.u.last() * (row.chain == 0 ? t : 1.0 - t);
+      const Vector3d up = patch.jet(along, row.chain == 0 ? patch.v.first() : patch.v.last()).v;
+      if ((row.chain == 0 ? up : Vector3d(-up)).dot(direction) <= 0.0) amiss[row.chain] = true;
+    }
+  }
+  return amiss;
+}
+
+Result<HeldPoints> turnedRows(const StripRows& strip, std::array<bool, 2> turn) {
+  solver::Points points = pointsOf(strip.layout, strip.patches);
+  for (const Row& row : rowsOf(strip)) {
+    if (!turn[row.chain]) continue;
+    double length = 0.0;
+    for (std::size_t i = 0; i < row.inner.size(); ++i)
+      length += (points.row(row.inner[i]) - points.row(row.outer[i])).norm() /
+                static_cast<double>(row.inner.size());
+    for (std::size_t i = 0; i < row.inner.size(); ++i) {
+      const Vector3d direction = askedDirection(*row.side, row.t[i]);
+      if (direction.allFinite())
+        points.row(row.inner[i]) = points.row(row.outer[i]) + length * direction.transpose();
+    }
+  }
+  const auto nearest = nearestThatMeet(strip, points);
+  if (!nearest) return fail(nearest.error());
+  return held(strip, *nearest);
+}
+
+}  // namespace fairing

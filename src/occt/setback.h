@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <map>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/boundary/boundary_loop.h"
+#include "occt/read_chains.h"
+#include "occt/shape_index.h"
+
+namespace fairing::occt {
+
+/// The user's numbers of edges and faces by those of a shape made from his; what is not there keeps
+/// its number.
+struct UserNumbers {
+  std::map<int, int> edges, faces;
+};
+
+/// A shape whose faces end where a blend with setback is to start, and what its edges and faces
+/// stand for.
+struct TrimmedBase {
+  ShapeIndex index;
+  BlendPicks picks;   ///< the same wishes in its numbers, without a setback
+  UserNumbers users;  ///< an edge that was set back gives its number to the curve it went to
+};
+
+/// Trims the faces beside the picked chains back by `picks.setback`: they are split along the
+/// curves at that distance (offset_curve.h), and what lies between these and the chains is left
+/// out. Fails with SetbackNegative, SetbackWithoutFace, SetbackTooLarge, EdgeNotInLoop for a wish
+/// about an edge that is cut off, and the codes of readChains().
+[[nodiscard]] Result<TrimmedBase> trimBack(const ShapeIndex& index, const BlendPicks& picks);
+
+/// For reports and failures that speak of the user's own edges and faces.
+[[nodiscard]] boundary::BoundaryLoop inNumbersOf(boundary::BoundaryLoop sides,
+                                                 const UserNumbers& users);
+[[nodiscard]] Error inNumbersOf(Error error, const UserNumbers& users);
+
+}  // namespace fairing::occt
