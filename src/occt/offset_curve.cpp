@@ -7,10 +7,12 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Surface.hxx>
+#include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,8 +33,7 @@ constexpr int kPlaces = 65;    // along the edge
 constexpr int kSteps = 48;     // along a geodesic
 constexpr int kHalvings = 16;  // of the step that leaves the face
 constexpr double kSameParameter = 1e-9;
-constexpr double kFitShare = 1e-6;   // of the distance
-constexpr double kFinestFit = 1e-8;  // mm
+constexpr double kFit = 2e-8;  // mm: within what the kernel takes for one place
 constexpr int kDegree = 5, kMostPoles = 200;
 constexpr double kDifference = 1e-4;  // of the edge's parameter range
 // A straight end goes on in steps of this share of the edge, so many at most.
@@ -128,10 +129,30 @@ class Offset {
   double first_ = 0.0, last_ = 1.0, insideSign_ = 1.0;
 };
 
-TopoDS_Edge edgeOn(const Handle(Geom_Curve) & curve, double first, double last) {
-  BRepBuilderAPI_MakeEdge make(curve, std::min(first, last), std::max(first, last));
+// A curve of a surface that does not go on beyond its knots ends there.
+TopoDS_Edge edgeOn(const Handle(Geom_Curve) & curve, double from, double to) {
+  double first = std::min(from, to), last = std::max(from, to);
+  if (!curve->IsPeriodic()) {
+    first = std::max(first, curve->FirstParameter());
+    last = std::min(last, curve->LastParameter());
+  }
+  BRepBuilderAPI_MakeEdge make(curve, first, last);
   if (!make.IsDone()) throw Standard_Failure("the curve of a setback makes no edge");
   return make.Edge();
+}
+
+// An edge that follows a curve, its tolerance what is left; a closed curve stays closed.
+TopoDS_Edge edgeAlong(const spline::CurveFunction& given) {
+  const auto knots =
+      spline::knotsThatFit({given}, spline::KnotVector::bezier(kDegree), kFit, kMostPoles);
+  spline::CurveFit fit = spline::fitCurve(given, knots);
+  spline::Poles& poles = fit.curve.poles;
+  if ((poles.row(0) - poles.bottomRows<1>()).norm() <= kFit)
+    poles.bottomRows<1>() = poles.row(0).eval();
+  const Handle(Geom_BSplineCurve) curve = toCurve(fit.curve);
+  const TopoDS_Edge edge = edgeOn(curve, curve->FirstParameter(), curve->LastParameter());
+  BRep_Builder().UpdateEdge(edge, std::max(Precision::Confusion(), fit.error()));
+  return edge;
 }
 
 // The offset where it is an iso-curve of the surface.
@@ -152,7 +173,7 @@ std::optional<TopoDS_Edge> isoEdge(const TopoDS_Face& face, const std::vector<Ve
 }
 
 // Any other one, between two places of the edge.
-TopoDS_Edge fittedEdge(const Offset& offset, double from, double to, double tolerance) {
+TopoDS_Edge fittedEdge(const Offset& offset, double from, double to) {
   const auto pointAt = [&](double t) {
     return offset.at(offset.from(from + t * (to - from)).at).point;
   };
@@ -167,21 +188,14 @@ TopoDS_Edge fittedEdge(const Offset& offset, double from, double to, double tole
           point, (3.0 * point - 4.0 * pointAt(t - h) + pointAt(t - 2.0 * h)) / (2.0 * h)};
     return spline::CurvePoint{point, (pointAt(t + h) - pointAt(t - h)) / (2.0 * h)};
   };
-  const auto knots =
-      spline::knotsThatFit({given}, spline::KnotVector::bezier(kDegree), tolerance, kMostPoles);
-  spline::BsplineCurve curve = spline::fitCurve(given, knots).curve;
-  if ((curve.poles.row(0) - curve.poles.bottomRows<1>()).norm() <= tolerance)
-    curve.poles.bottomRows<1>() = curve.poles.row(0);
-  const Handle(Geom_BSplineCurve) made = toCurve(curve);
-  return edgeOn(made, made->FirstParameter(), made->LastParameter());
+  return edgeAlong(given);
 }
 
 // From an end inside the face straight on, in the parameters, until the face is left.
 std::optional<TopoDS_Edge> straightOn(const Offset& offset,
                                       const Vector2d& end,
                                       const Vector2d& before,
-                                      double length,
-                                      double tolerance) {
+                                      double length) {
   const Vector2d direction = end - before;
   const SurfacePoint at = offset.at(end);
   const double speed = (direction.x() * at.su + direction.y() * at.sv).norm();
@@ -195,10 +209,7 @@ std::optional<TopoDS_Edge> straightOn(const Offset& offset,
     const SurfacePoint p = offset.at(end + t * way);
     return spline::CurvePoint{p.point, way.x() * p.su + way.y() * p.sv};
   };
-  const auto knots =
-      spline::knotsThatFit({given}, spline::KnotVector::bezier(kDegree), tolerance, kMostPoles);
-  const Handle(Geom_BSplineCurve) made = toCurve(spline::fitCurve(given, knots).curve);
-  return edgeOn(made, made->FirstParameter(), made->LastParameter());
+  return edgeAlong(given);
 }
 
 // The places between which the offset lies inside the face, and one beyond on either side.
@@ -233,19 +244,17 @@ Result<std::vector<TopoDS_Edge>> offsetOnFace(const OffsetRequest& request) {
   if (!range) return fail(range.error());
   std::vector<Vector2d> places;
   for (int k = range->first; k <= range->last; ++k) places.push_back(reached[std::size_t(k)].at);
-  const double tolerance = std::max(kFinestFit, kFitShare * request.distance);
   std::vector<TopoDS_Edge> edges;
   if (const auto iso = isoEdge(request.face, places))
     edges.push_back(*iso);
   else
-    edges.push_back(fittedEdge(offset, share(range->first), share(range->last), tolerance));
+    edges.push_back(fittedEdge(offset, share(range->first), share(range->last)));
   double length = 0.0;
   for (std::size_t k = 1; k < places.size(); ++k)
     length += (offset.at(places[k]).point - offset.at(places[k - 1]).point).norm();
   const auto goOn = [&](const Vector2d& end, const Vector2d& before) {
     if (offset.state(end) != TopAbs_IN) return;
-    if (const auto edge = straightOn(offset, end, before, length, tolerance))
-      edges.push_back(*edge);
+    if (const auto edge = straightOn(offset, end, before, length)) edges.push_back(*edge);
   };
   if (request.ends[0] == EdgeEnd::Open) goOn(places.front(), places[1]);
   if (request.ends[1] == EdgeEnd::Open) goOn(places.back(), places[places.size() - 2]);

@@ -25,7 +25,7 @@ struct OffsetRequest {
 
 /// The curve on a face at a distance from one of its border edges, measured on the face along the
 /// geodesics that leave the edge perpendicularly: an iso-curve of the surface where that is what
-/// it is, else a B-spline within 1e-8 mm or the millionth part of the distance. What is over the
+/// it is, else a B-spline within 2e-8 mm. What is over the
 /// face's border is longer than needed; an end inside the face goes on straight in the parameters.
 /// Fails with SetbackTooLarge (value = how far the face lets the edge go back, its edge unset)
 /// where the face ends before.

@@ -8,17 +8,17 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <Geom_BezierSurface.hxx>
 #include <Geom_Plane.hxx>
-#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
 #include <numbers>
 
+#include "occt/bilinear.h"
 #include "occt/blend_shape.h"
 #include "occt/edge_curve.h"
 #include "occt/shapes.h"
+#include "text/error_text.h"
 
 namespace fairing::occt {
 namespace {
@@ -28,10 +28,6 @@ using Eigen::Vector3d;
 
 constexpr double kRound = 2.0 * std::numbers::pi;
 constexpr int kSamples = 50;
-
-gp_Ax3 upright(double z = 0.0) {
-  return gp_Ax3(gp_Pnt(0, 0, z), gp_Dir(0, 0, 1));
-}
 
 /// A cylinder with one of its two lids, that at height `lid`.
 TopoDS_Shape can(double radius, double from, double to, double lid) {
@@ -70,7 +66,7 @@ ShapeFill blended(const TopoDS_Shape& shape,
                   const BlendPicks& picks,
                   ResultMode mode = ResultMode::Patches) {
   auto result = tryBlend(shape, picks, mode);
-  EXPECT_TRUE(result.has_value()) << (result ? 0 : int(result.error().code));
+  EXPECT_TRUE(result.has_value()) << (result ? "" : text::sentence(result.error()));
   return result ? *result : ShapeFill{};
 }
 
@@ -124,14 +120,11 @@ TEST(Setback, TakesWishesOfTheEdgesPicked) {
 
 /// A floor that widens away from its edge x = 0, where it runs from y = 0 to y = 20, and a wall.
 TopoDS_Shape planes(double widening) {
-  TColgp_Array2OfPnt poles(1, 2, 1, 2);
-  poles.SetValue(1, 1, gp_Pnt(-10, -widening, 0));
-  poles.SetValue(1, 2, gp_Pnt(-10, 20 + widening, 0));
-  poles.SetValue(2, 1, gp_Pnt(0, 0, 0));
-  poles.SetValue(2, 2, gp_Pnt(0, 20, 0));
+  const Handle(Geom_Surface) floor =
+      bilinear({-10, -widening, 0}, {-10, 20 + widening, 0}, {0, 0, 0}, {0, 20, 0});
   const Handle(Geom_Surface) wall =
       new Geom_Plane(gp_Ax3(gp_Pnt(12, 0, 9), gp_Dir(-1, 0, 0), gp_Dir(0, -1, 0)));
-  return compound({grid(new Geom_BezierSurface(poles), {0.0, 1.0}, {0.0, 1.0}, {}, Joint::Loose),
+  return compound({grid(floor, {0.0, 1.0}, {0.0, 1.0}, {}, Joint::Loose),
                    grid(wall, {-20.0, 0.0}, {0.0, 10.0}, {}, Joint::Loose)});
 }
 BlendPicks planesPicks(const TopoDS_Shape& shape, std::array<double, 2> setback) {

@@ -11,7 +11,7 @@ namespace fairing {
 
 /// Everything a caller may choose about a blend.
 struct BlendOptions {
-  FillOptions fill;  ///< the layout is a strip, whatever it says
+  FillOptions fill = {};  ///< the layout is a strip, whatever it says
   Reach reach = {};
   std::array<boundary::Departure, 2> departure{};  ///< from the first chain and from the second
   std::array<boundary::Leaving, 2> leaving{};

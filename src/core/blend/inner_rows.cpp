@@ -2,17 +2,19 @@
 #include "core/blend/inner_rows.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <utility>
 #include <vector>
 
 #include "core/boundary/constraint_normal.h"
 #include "core/constraint/constraint_set.h"
 #include "core/solver/solve.h"
+#include "core/spline/bspline_basis.h"
 
 namespace fairing {
 namespace {
 
 using boundary::Departure;
-using Eigen::RowVector3d;
 using Eigen::Vector3d;
 using layout::PatchEdge;
 
@@ -25,7 +27,8 @@ struct Row {
   std::size_t chain = 0;  // 0: first, on the South edge; 1: second, on the North edge
   std::size_t patch = 0;
   std::vector<int> outer, inner;
-  std::vector<double> t;  // parameters of the side that belong to the points
+  spline::KnotVector knots;  // over [0, 1]
+  std::vector<double> t;     // parameters of the side that belong to the points
   /// The stretch of its chain that the side is, by length.
   double from = 0.0, to = 1.0;
 };
@@ -44,6 +47,7 @@ std::vector<Row> rowsOf(const StripRows& strip) {
               p,
               layout::edgePoints(patch, kEdges[chain], 0),
               layout::edgePoints(patch, kEdges[chain], 1),
+              knots,
               {}};
       for (int i = 0; i < knots.poleCount(); ++i) row.t.push_back(knots.greville(i));
       row.from = length[chain];
@@ -54,8 +58,7 @@ std::vector<Row> rowsOf(const StripRows& strip) {
   for (Row& row : rows) {
     row.from /= length[row.chain];
     row.to /= length[row.chain];
-    if (row.chain == 1)
-      row = {row.side, 1, row.patch, row.outer, row.inner, row.t, 1.0 - row.to, 1.0 - row.from};
+    if (row.chain == 1) row.from = 1.0 - std::exchange(row.to, 1.0 - row.from);
   }
   return rows;
 }
@@ -84,6 +87,31 @@ HeldPoints held(const StripRows& strip, const solver::Points& points) {
   return result;
 }
 
+using Differences = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+// The points of R_v along a side, but for a factor.
+Differences crossOf(const Row& row, const solver::Points& points) {
+  Differences cross(static_cast<Eigen::Index>(row.inner.size()), 3);
+  for (std::size_t i = 0; i < row.inner.size(); ++i)
+    cross.row(static_cast<Eigen::Index>(i)) = points.row(row.inner[i]) - points.row(row.outer[i]);
+  return cross;
+}
+
+// The spline that is `reach` times R_v at the Greville abscissae: where R_v meets what is
+// collocated there, so does it.
+Differences scaledAtGreville(const Row& row, const Differences& cross, const Reach& reach) {
+  const auto n = static_cast<Eigen::Index>(row.t.size());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd factors(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double t = row.t[static_cast<std::size_t>(i)];
+    const spline::BasisRow basis = spline::basisRow(row.knots, t);
+    values.row(i).segment(basis.first, basis.values.cols()) = basis.values.row(0);
+    factors[i] = reach.at(row.chain, row.from + t * (row.to - row.from));
+  }
+  return values.partialPivLu().solve(factors.asDiagonal() * (values * cross));
+}
+
 // Minimises the sum over the inner rows of |point - wanted|^2 subject to what the sides ask, all
 // other points being where they are.
 Result<solver::Points> nearestThatMeet(const StripRows& strip, const solver::Points& wanted) {
@@ -106,19 +134,18 @@ Result<solver::Points> nearestThatMeet(const StripRows& strip, const solver::Poi
 
 }  // namespace
 
-Result<HeldPoints> scaledRows(const StripRows& strip, const Reach& reach) {
+HeldPoints scaledRows(const StripRows& strip, const Reach& reach) {
   solver::Points points = pointsOf(strip.layout, strip.patches);
   for (const Row& row : rowsOf(strip)) {
-    for (std::size_t i = 0; i < row.inner.size(); ++i) {
-      const RowVector3d outer = points.row(row.outer[i]), inner = points.row(row.inner[i]);
-      points.row(row.inner[i]) =
-          outer + reach.at(row.chain, row.from + row.t[i] * (row.to - row.from)) * (inner - outer);
-    }
+    Differences cross = crossOf(row, points);
+    if (reach.varies(row.chain))
+      cross = scaledAtGreville(row, cross, reach);
+    else
+      cross *= reach.start[row.chain];
+    for (std::size_t i = 0; i < row.inner.size(); ++i)
+      points.row(row.inner[i]) = points.row(row.outer[i]) + cross.row(static_cast<Eigen::Index>(i));
   }
-  if (!reach.varies(0) && !reach.varies(1)) return held(strip, points);
-  const auto nearest = nearestThatMeet(strip, points);
-  if (!nearest) return fail(nearest.error());
-  return held(strip, *nearest);
+  return held(strip, points);
 }
 
 std::array<bool, 2> leavesAmiss(const StripRows& strip) {

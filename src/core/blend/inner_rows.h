@@ -21,9 +21,9 @@ struct StripRows {
 };
 
 /// The inner rows at `reach` times their distance from the outer ones. One factor keeps tangency to
-/// the last bit; of a factor that varies along the side the nearest rows that are tangent are
-/// taken. Fails with the codes of constrainSides() and solve().
-[[nodiscard]] Result<HeldPoints> scaledRows(const StripRows& strip, const Reach& reach);
+/// the last bit; one that varies along the side is met where tangency is collocated, so that this
+/// stays exact, and between by interpolation.
+[[nodiscard]] HeldPoints scaledRows(const StripRows& strip, const Reach& reach);
 
 /// Whether the strip leaves the first chain, and the second one, anywhere on the half of the
 /// tangent plane it is not to.

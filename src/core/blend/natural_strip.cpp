@@ -51,8 +51,7 @@ std::optional<Error> NaturalStrip::turn() {
 Result<FillResult> NaturalStrip::reaching(const Reach& reach) const {
   const auto layout = layoutOf(span_.plan, result_.patches);
   const auto held = scaledRows({span_.plan.cut.loop, layout, result_.patches}, reach);
-  if (!held) return fail(held.error());
-  return spanAgain(span_, result_.patches, *held, options_);
+  return spanAgain(span_, result_.patches, held, options_);
 }
 
 }  // namespace fairing
