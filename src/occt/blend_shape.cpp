@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/blend/blend_loops.h"
+#include "core/blend/natural_strip.h"
 #include "occt/make_faces.h"
 #include "occt/setback.h"
 #include "occt/support_notes.h"
@@ -18,53 +19,54 @@ struct Base {
   UserNumbers users;
 };
 
-/// What was spanned, in the base's own numbers, and the patches.
-struct Blend {
+/// What was spanned, in the base's own numbers, and how.
+struct Spanned {
   boundary::BoundaryLoop sides;
-  FillResult result;
+  Blend blend;
 };
 
-Result<Blend> strip(const Base& base, const BlendOptions& options, Progress* progress) {
+Result<Spanned> strip(const Base& base, const BlendOptions& options, Progress* progress) {
   const auto pair = readChains(base.index, base.picks);
   if (!pair) return fail(pair.error());
   boundary::ChainPair named = *pair;
   named.sides = inNumbersOf(std::move(named.sides), base.users);
   auto made = blendChains(named, options, progress);
   if (!made) return fail(made.error());
-  return Blend{pair->sides, std::move(*made)};
+  return Spanned{pair->sides, std::move(*made)};
 }
 
-Result<Blend> junction(const Base& base, const BlendOptions& options, Progress* progress) {
+Result<Spanned> junction(const Base& base, const BlendOptions& options, Progress* progress) {
   auto loops = readLoops(base.index, base.picks);
   if (!loops) return fail(loops.error());
   auto made = blendLoops(*loops, options, progress);
   if (!made) return fail(made.error());
-  return Blend{std::move(*loops), std::move(*made)};
+  return Spanned{std::move(*loops), {std::move(*made), nullptr}};
 }
 
-Result<ShapeFill> joined(const Base& base, Blend blend, ResultMode mode) {
-  boundary::BoundaryLoop named = inNumbersOf(blend.sides, base.users);
-  addSingularSupports(named, blend.result.report);
-  const auto faces = makeFaces(blend.result);
+Result<ShapeBlend> joined(const Base& base, Spanned spanned, ResultMode mode) {
+  FillResult& fill = spanned.blend.fill;
+  boundary::BoundaryLoop named = inNumbersOf(spanned.sides, base.users);
+  addSingularSupports(named, fill.report);
+  const auto faces = makeFaces(fill);
   if (!faces) return fail(faces.error());
   const auto shape =
-      joinResult(base.index, {}, {{*faces, blend.sides, blend.result.report.largestGap}}, mode);
+      joinResult(base.index, {}, {{*faces, spanned.sides, fill.report.largestGap}}, mode);
   if (!shape) return fail(inNumbersOf(shape.error(), base.users));
-  return ShapeFill{*shape, std::move(blend.result), std::move(named)};
+  return ShapeBlend{{*shape, std::move(fill), std::move(named)}, std::move(spanned.blend.natural)};
 }
 
 }  // namespace
 
-Result<ShapeFill> blendShape(const ShapeIndex& index,
-                             const BlendPicks& picks,
-                             const BlendOptions& options,
-                             ResultMode mode,
-                             Progress* progress) {
+Result<ShapeBlend> blendShape(const ShapeIndex& index,
+                              const BlendPicks& picks,
+                              const BlendOptions& options,
+                              ResultMode mode,
+                              Progress* progress) {
   if (const auto error = validate(options)) return fail(*error);
-  const auto blendOn = [&](const Base& base, auto span) -> Result<ShapeFill> {
-    auto blend = span(base, options, progress);
-    if (!blend) return fail(blend.error());
-    return joined(base, std::move(*blend), mode);
+  const auto blendOn = [&](const Base& base, auto span) -> Result<ShapeBlend> {
+    auto spanned = span(base, options, progress);
+    if (!spanned) return fail(spanned.error());
+    return joined(base, std::move(*spanned), mode);
   };
   const bool isSetBack = picks.setback != std::array<double, 2>{};
   const auto several = meansJunction(index, picks);
@@ -75,6 +77,17 @@ Result<ShapeFill> blendShape(const ShapeIndex& index,
   const auto trimmed = trimBack(index, picks);
   if (!trimmed) return fail(trimmed.error());
   return blendOn({trimmed->index, trimmed->picks, trimmed->users}, strip);
+}
+
+Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {
+  if (const auto error = validate(BlendOptions{.reach = reach})) return fail(*error);
+  if (!blend.natural) return fail({.code = ErrorCode::JunctionReach, .value = reach.at(0, 0.0)});
+  auto fill = blend.natural->reaching(reach);
+  if (!fill) return fail(fill.error());
+  addSingularSupports(blend.loop, fill->report);
+  const auto faces = makeFaces(*fill);
+  if (!faces) return fail(faces.error());
+  return ShapeBlend{{*faces, std::move(*fill), blend.loop}, blend.natural};
 }
 
 }  // namespace fairing::occt

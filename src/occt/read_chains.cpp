@@ -56,6 +56,11 @@ class ChainBuilder {
       result.sides.push_back(readSide(index_, picks, border(e.border), e.direction));
     return result;
   }
+  [[nodiscard]] std::vector<int> edges() const {
+    std::vector<int> all;
+    for (const LoopEdge& e : chain_) all.push_back(border(e.border).edge);
+    return all;
+  }
   [[nodiscard]] std::set<int> positions() const {
     std::set<int> all;
     for (const LoopEdge& e : chain_) all.insert(e.border);
@@ -225,6 +230,23 @@ Result<bool> meansJunction(const ShapeIndex& index, const BlendPicks& picks) {
     return chains && std::all_of(chains->begin(), chains->end(), [](const SideChain& chain) {
              return chain.closed;
            });
+  });
+}
+
+Result<std::vector<int>> wholeChain(const ShapeIndex& index,
+                                    const std::vector<int>& edges,
+                                    const std::vector<int>& others) {
+  return guarded([&]() -> Result<std::vector<int>> {
+    if (edges.empty()) return fail({.code = ErrorCode::NothingPicked});
+    const BorderGraph graph = BorderGraph::build(index, {});
+    const auto own = pickedPositions(index, graph, edges);
+    if (!own) return fail(own.error());
+    const auto foreign = pickedPositions(index, graph, others);
+    if (!foreign) return fail(foreign.error());
+    ChainBuilder chain(index, graph, *own);
+    if (const auto broken = chain.connect()) return fail(*broken);
+    chain.extend(*foreign);
+    return chain.edges();
   });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
 
+#include "core/blend/arms.h"
+#include "core/blend/natural_strip.h"
 #include "occt/blend_shape.h"
 #include "occt/result_mode.h"
 #include "python/bindings.h"
@@ -12,13 +14,14 @@ namespace py = pybind11;
 namespace fairing::python {
 namespace {
 
+using occt::ShapeBlend;
 using occt::ShapeIndex;
 
 boundary::Leaving leaving(bool flipped) {
   return flipped ? boundary::Leaving::Backwards : boundary::Leaving::Onwards;
 }
 
-occt::ShapeFill blend(const ShapeIndex& shape,
+ShapeBlend blend(const ShapeIndex& shape,
                       std::vector<int> from,
                       std::vector<int> to,
                       const std::string& continuity,
@@ -59,15 +62,64 @@ std::vector<std::vector<int>> chains(const ShapeIndex& shape, const std::vector<
   return valueOf(occt::groupEdges(shape, edges));
 }
 
+std::vector<int> wholeChain(const ShapeIndex& shape,
+                            const std::vector<int>& edges,
+                            const std::vector<int>& others) {
+  return valueOf(occt::wholeChain(shape, edges, others));
+}
+
+ShapeBlend reaching(const ShapeBlend& blend,
+                    double fromReach,
+                    double toReach,
+                    std::optional<double> fromReachEnd,
+                    std::optional<double> toReachEnd) {
+  const py::gil_scoped_release release;
+  return valueOf(occt::reaching(blend, {{fromReach, toReach}, {fromReachEnd, toReachEnd}}));
+}
+
+py::list arms(const ShapeBlend& blend) {
+  const auto triple = [](const Eigen::Vector3d& v) { return py::make_tuple(v.x(), v.y(), v.z()); };
+  py::list result;
+  if (!blend.natural) return result;
+  for (const Arm& arm : armsOf(blend.natural->result().patches))
+    result.append(py::make_tuple(triple(arm.point), triple(arm.vector)));
+  return result;
+}
+
+void bindBlendResult(py::module_& module) {
+  py::class_<ShapeBlend, occt::ShapeFill>(
+      module, "Blend", "A blend: its face, what was measured on it, and what it was made from.")
+      .def("reaching",
+           &reaching,
+           py::arg("from_reach"),
+           py::arg("to_reach"),
+           py::arg("from_reach_end") = py::none(),
+           py::arg("to_reach_end") = py::none(),
+           "The same blend with other reaches, its face alone: one solve, for previews that follow "
+           "a slider. By one thread at a time. Raises FairingError.")
+      .def_property_readonly(
+          "arms",
+          &arms,
+          "How the blend leaves either side in the middle of it at reach 1: pairs of a point and a "
+          "vector, a third of the cross tangent over the whole blend. None of a junction.");
+}
+
 }  // namespace
 
-void bindBlend(py::class_<ShapeIndex>& shape) {
+void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
+  bindBlendResult(module);
   shape
       .def("chains",
            &chains,
            py::arg("edges"),
            "Free edges grouped into chains that connect, each ascending, by their lowest edges. "
            "Raises FairingError where an edge is not free.")
+      .def("whole_chain",
+           &wholeChain,
+           py::arg("edges"),
+           py::arg("others") = std::vector<int>{},
+           "The picked edges of one side of a blend in order, with those that continue them "
+           "smoothly up to the other side's. Raises FairingError where they make no chain.")
       .def(
           "blend",
           &blend,

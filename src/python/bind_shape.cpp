@@ -149,7 +149,7 @@ void bindShape(py::module_& module) {
            angle,
            "The report on any faces that are to fill that hole, as a dict.");
   bindFilling(shape);
-  bindBlend(shape);
+  bindBlend(module, shape);
 }
 
 }  // namespace fairing::python

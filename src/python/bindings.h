@@ -15,7 +15,7 @@ void bindFillAll(pybind11::module_& module);
 void bindShape(pybind11::module_& module);
 /// The methods fill and fill_all of Shape.
 void bindFilling(pybind11::class_<occt::ShapeIndex>& shape);
-/// The methods chains and blend of Shape.
-void bindBlend(pybind11::class_<occt::ShapeIndex>& shape);
+/// The type Blend, and the methods chains, whole_chain and blend of Shape.
+void bindBlend(pybind11::module_& module, pybind11::class_<occt::ShapeIndex>& shape);
 
 }  // namespace fairing::python

@@ -255,6 +255,40 @@ TEST(BlendShape, ReachesAsFarAsAskedAndStaysTangent) {
   EXPECT_EQ(none.error().code, ErrorCode::ReachNotPositive);
 }
 
+TEST(BlendShape, AKeptBlendReachesAsOneThatIsMadeAnew) {
+  const TopoDS_Shape shape = coaxialPipes();
+  const auto natural = blendShape(ShapeIndex(shape), coaxialPicks(), {}, ResultMode::Base);
+  ASSERT_TRUE(natural.has_value());
+  const auto anew =
+      blendShape(ShapeIndex(shape), coaxialPicks(), {{}, {1.5, 0.7}}, ResultMode::Patches);
+  ASSERT_TRUE(anew.has_value());
+  const auto moved = reaching(*natural, {1.5, 0.7});
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_TRUE(moved->fill.report.withinTolerance);
+  // the same solve of the same system, to the last bit
+  EXPECT_EQ(moved->fill.patches.front().poles, anew->fill.patches.front().poles);
+  const auto back = reaching(*moved, {1.0, 1.0});
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->fill.patches.front().poles, natural->fill.patches.front().poles);
+  const auto none = reaching(*natural, {1.0, -1.0});
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().code, ErrorCode::ReachNotPositive);
+}
+
+TEST(BlendShape, HasArmsAlongTheFacesItLeaves) {
+  const ShapeFill blend = blended(coaxialPipes(), coaxialPicks());
+  const auto arms = armsOf(blend.fill.patches.front());
+  const std::array<double, 2> radii{5.0, 9.0}, heights{-8.0, 8.0};
+  for (const std::size_t k : {0U, 1U}) {
+    const Vector3d& point = arms[k].point;
+    const double gap = 1e-6 * blend.fill.report.diagonal;  // sides are met as closely as that
+    EXPECT_NEAR(point.head<2>().norm(), radii[k], gap);
+    EXPECT_NEAR(point.z(), heights[k], gap);
+    const Vector3d up = arms[k].vector.normalized() * (k == 0 ? 1.0 : -1.0);
+    EXPECT_LT((up - Vector3d::UnitZ()).norm(), 1e-4);  // 0.02 degrees are 3.5e-4
+  }
+}
+
 /// A pipe of radius 5, and one of radius 9 beside its axis and tilted against it by 20 degrees.
 TopoDS_Shape tiltedPipes(double start) {
   const double tilt = 20.0 * std::numbers::pi / 180.0;

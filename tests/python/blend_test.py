@@ -231,3 +231,33 @@ def test_starts_inside_the_faces(tubes):
     assert abs(longer.BoundBox.ZLength - plain.BoundBox.ZLength - 3.0) < 1e-5
     refused("SetbackTooLarge", lambda: fairing.blend(shape, [low], [high], from_setback=1000.0))
     refused("SetbackNegative", lambda: fairing.blend(shape, [low], [high], to_setback=-1.0))
+
+
+def test_a_kept_blend_reaches_as_one_that_is_made_anew(tubes):
+    shape, low, high = tubes
+    native = exchange.native_shape(shape)
+    kept = native.blend([low], [high])
+    moved, anew = kept.reaching(1.6, 0.8), native.blend([low], [high], from_reach=1.6, to_reach=0.8)
+    assert moved.within_tolerance and moved.verdict == anew.verdict
+    assert (moved.mesh(8)[0] == anew.mesh(8)[0]).all()
+    refused("ReachNotPositive", lambda: kept.reaching(1.0, 0.0))
+
+
+def test_tells_how_it_leaves_either_side(tubes):
+    shape, low, high = tubes
+    arms = exchange.native_shape(shape).blend([low], [high]).arms
+    for (point, vector), radius, height, up in zip(arms, (10, 6), (20, 35), (1, -1)):
+        assert math.hypot(*point[:2]) == pytest.approx(radius, abs=1e-4) and point[2] == pytest.approx(height)
+        assert App.Vector(*vector).getAngle(App.Vector(0, 0, up)) < math.radians(ANGLE)
+
+
+def test_finds_the_whole_chain_of_an_edge():
+    halves = [Part.makeCircle(10, App.Vector(), App.Vector(0, 0, 1), a, a + 180) for a in (0, 180)]
+    shape = Part.makeShell([half.extrude(App.Vector(0, 0, 20)) for half in halves])
+    rim = [number for number, edge in enumerate(shape.Edges, 1)
+           if edge.BoundBox.ZMin > 19.9]
+    assert len(rim) == 2
+    native = exchange.native_shape(shape)
+    for edge in rim:
+        assert sorted(native.whole_chain([edge])) == rim
+    assert native.whole_chain(rim[:1], rim[1:]) == rim[:1], "not the edges of the other side"

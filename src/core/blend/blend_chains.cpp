@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/blend/blend_chains.h"
 
+#include <utility>
+
 #include "core/blend/natural_strip.h"
 
 // The pipeline (docs/ARCHITECTURE.md):
@@ -17,13 +19,16 @@ std::optional<Error> validate(const BlendOptions& options) {
   return validate(options.fill);
 }
 
-Result<FillResult> blendChains(const boundary::ChainPair& pair,
-                               const BlendOptions& options,
-                               Progress* progress) {
+Result<Blend> blendChains(const boundary::ChainPair& pair,
+                          const BlendOptions& options,
+                          Progress* progress) {
   if (const auto wrong = validate(options)) return fail(*wrong);
-  const auto natural = NaturalStrip::make(pair, options, progress);
-  if (!natural) return fail(natural.error());
-  return options.reach.isNatural() ? natural->result() : natural->reaching(options.reach);
+  auto made = NaturalStrip::make(pair, options, progress);
+  if (!made) return fail(made.error());
+  const auto natural = std::make_shared<const NaturalStrip>(std::move(*made));
+  auto fill = natural->reaching(options.reach);
+  if (!fill) return fail(fill.error());
+  return Blend{std::move(*fill), natural};
 }
 
 }  // namespace fairing

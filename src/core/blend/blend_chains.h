@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <memory>
+
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/blend/departure_check.h"
@@ -8,6 +10,8 @@
 #include "core/span/fill_result.h"
 
 namespace fairing {
+
+class NaturalStrip;
 
 /// Everything a caller may choose about a blend.
 struct BlendOptions {
@@ -21,13 +25,19 @@ struct BlendOptions {
 /// fill's.
 [[nodiscard]] std::optional<Error> validate(const BlendOptions& options);
 
+/// A strip between two chains, and what it was made from.
+struct Blend {
+  FillResult fill;
+  std::shared_ptr<const NaturalStrip> natural;  ///< for other reaches at the cost of one solve
+};
+
 /// Joins two chains of sides by one strip that leaves each of them as its sides ask and minimises
 /// the chosen energy; ends of open chains are left free, closed chains give a strip that closes
 /// upon itself with its curvature. Refined, measured and returned as fillHole() does. Fails with
 /// the codes of validate() and checkDepartures(), SystemSingular, NotFinite or Cancelled.
 /// docs/algorithms/strip_blend.md
-[[nodiscard]] Result<FillResult> blendChains(const boundary::ChainPair& pair,
-                                             const BlendOptions& options,
-                                             Progress* progress = nullptr);
+[[nodiscard]] Result<Blend> blendChains(const boundary::ChainPair& pair,
+                                        const BlendOptions& options,
+                                        Progress* progress = nullptr);
 
 }  // namespace fairing

@@ -49,6 +49,7 @@ std::optional<Error> NaturalStrip::turn() {
 }
 
 Result<FillResult> NaturalStrip::reaching(const Reach& reach) const {
+  if (reach.isNatural()) return result_;
   const auto layout = layoutOf(span_.plan, result_.patches);
   const auto held = scaledRows({span_.plan.cut.loop, layout, result_.patches}, reach);
   return spanAgain(span_, result_.patches, held, options_);

@@ -22,7 +22,7 @@ class NaturalStrip {
                                                  Progress* progress = nullptr);
 
   [[nodiscard]] const FillResult& result() const { return result_; }
-  /// The strip with both sides' reach scaled, measured.
+  /// The strip with both sides' reach scaled, measured; itself where both are 1.
   [[nodiscard]] Result<FillResult> reaching(const Reach& reach) const;
 
  private:
