@@ -19,7 +19,9 @@ class FairingWorkbench(FreeCADGui.Workbench):
 
     def ContextMenu(self, recipient):
         if recipient == "View":
-            self.appendContextMenu("", self.commands[:1])
+            from fairing import workbench
+
+            self.appendContextMenu("", workbench.context_commands())
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -33,6 +33,15 @@ def register_commands() -> list[str]:
     return [command.NAME for command in commands]
 
 
+def context_commands() -> list[str]:
+    """Names of the commands in the 3D view's context menu: those that make something of what is selected."""
+    from . import selection
+    from .commands.blend_faces import BlendFacesCommand
+    from .commands.fill_hole import FillHoleCommand
+
+    return [FillHoleCommand.NAME] + [BlendFacesCommand.NAME] * bool(selection.current_edges())
+
+
 def start(workbench) -> None:
     """Registers the workbench, its icons, translations and preferences, and watches for objects to reconnect."""
     from .features import reconnect

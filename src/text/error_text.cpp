@@ -75,7 +75,9 @@ std::string pickSentence(const Error& e) {
           "There is no vertex {}: the shape's vertices are numbered 1 to {}.", e.edge, count(e));
     case ErrorCode::EdgeNotFree:
       return fmt::format(
-          "{} has {} faces beside it, so there is no hole: pick the face that is to be replaced.",
+          "{} has {} faces beside it, so no surface can go on from it: pick a free edge, or the "
+          "face "
+          "that is to be replaced.",
           edge(e),
           count(e));
     case ErrorCode::EdgeWithManyFaces:
