@@ -151,8 +151,8 @@ def failing_keeps_the_last_good_shape_and_says_why():
     document, low, high = two_cups()
     blend = fairing.make_blend(low, high)
     area, largest = blend.Shape.Area, blend.LargestAngle
-    for name, value, words in (("FromEdges", (low[0], ["Edge99"]), "edge 99"), ("ToEdges", None, "no edge"),
-                               ("ToEdges", low, "both sides"), ("FromEdges", (low[0], ["Face1"]), "Face1"),
+    for name, value, words in (("FromEdges", [(low[0], ["Edge99"])], "edge 99"), ("ToEdges", [], "no edge"),
+                               ("ToEdges", [low], "both sides"), ("FromEdges", [(low[0], ["Face1"])], "Face1"),
                                ("AngleTolerance", 0.0, "angle"), ("Degree", 99, "degree"),
                                ("FromReach", 0.0, "reach"),
                                ("FromContinuity", ["nonsense"], "nonsense"),
@@ -215,17 +215,41 @@ def picked_edges_are_told_apart_into_sides():
     document, base, names = two_planes()
     beside = next(f"Edge{number}" for number, edge in enumerate(base.Shape.Edges, 1)
                   if edge.CenterOfMass.distanceToPoint(App.Vector(0, 5, 0)) < 1e-6)
-    assert two_sides([(base, names[::-1])]) == ((base, names[1:]), (base, names[:1]))
-    first, second = two_sides([(base, [names[0], names[1], beside])])
-    assert sorted(first[1]) == sorted([names[0], beside]) and second == (base, names[1:])
-    first, second = two_sides([(base, [names[1], names[0], beside])])
-    assert first == (base, names[1:]) and sorted(second[1]) == sorted([names[0], beside])
+    assert two_sides([(base, names[::-1])]) == ([(base, names[1:])], [(base, names[:1])])
+    for order in (names, names[::-1]):
+        first, second = two_sides([(base, [*order, beside])])
+        own = sorted(order[:1] + [beside]) if order is names else order[:1]
+        assert [(obj, sorted(edges)) for obj, edges in first] == [(base, own)]
+        assert sorted(second[0][1]) == sorted({*names, beside} - set(own))
     far = object_of(document, "Far", Part.makePlane(5, 5, App.Vector(0, 100, 0)))
     first, second = two_sides([(far, ["Edge1"]), (base, [names[0], beside])])
-    assert first == (far, ["Edge1"]) and second[0] is base and sorted(second[1]) == sorted([names[0], beside])
+    assert first == [(far, ["Edge1"])] and second[0][0] is base and sorted(second[0][1]) == sorted([names[0], beside])
+    first, second = two_sides([(far, ["Edge1"]), (base, names)])
+    assert first == [(far, ["Edge1"])] and second[0][0] is base and sorted(second[0][1]) == sorted(names)
     assert "no edge" in str(raises(ValueError, lambda: two_sides([(base, names[:1])])))
-    assert "3 separate chains" in str(raises(ValueError, lambda: two_sides([(far, ["Edge1"]), (base, names)])))
     assert "one chain" in str(raises(ValueError, lambda: two_sides([(far, ["Edge1", "Edge2", "Edge3"])])))
+
+
+def takes_edges_of_several_objects_on_a_side():
+    document = App.newDocument("Parts")
+    high, west, east = (object_of(document, name, Part.makePlane(width, 10, App.Vector(x, y, z)))
+                        for name, width, x, y, z in (("High", 20, 0, 20, 8), ("West", 9, 0, 0, 0), ("East", 11, 9, 0, 0)))
+    document.recompute()
+    top, left, right = ((obj, [next(f"Edge{n}" for n, edge in enumerate(obj.Shape.Edges, 1) if edge.BoundBox.YMin == y
+                                    and edge.BoundBox.YLength < 1)]) for obj, y in ((high, 20), (west, 10), (east, 10)))
+    blend = fairing.make_blend(top, [left, right], to_continuity={f"East.{right[1][0]}": "G0"})
+    assert blend.FromEdges == [(high, tuple(top[1]))]
+    assert blend.ToEdges == [(west, tuple(left[1])), (east, tuple(right[1]))]
+    assert blend.ToContinuity == [f"East.{right[1][0]}=G0"]
+    angles = dict(zip(blend.ReportEdges, blend.EdgeAngles))
+    assert set(angles) == {f"{obj.Name}.{names[0]}" for obj, names in (top, left, right)}
+    assert angles[f"West.{left[1][0]}"] <= support.ANGLE_TOLERANCE and angles[f"East.{right[1][0]}"] > 1.0, angles
+    fairing.change_blend(blend, to_continuity={})
+    joins(blend, top, left, right)
+    before = blend.Shape.Area
+    assert "West.Edge" in str(raises(ValueError, lambda: fairing.change_blend(blend, to_continuity={"Edge1": "G0"})))
+    fairing.change_blend(blend, to_edges=left)
+    assert blend.ToEdges == [(west, tuple(left[1]))] and blend.Shape.Area < before - 1.0
 
 
 def survives_save_and_reopen():
@@ -238,7 +262,7 @@ def survives_save_and_reopen():
     blend = document.Blend
     assert type(blend.Proxy).__name__ == "BlendFeature" and abs(blend.Shape.Area - area) < 1e-12 * area
     assert blend.FromContinuity == [f"{low[1][0]}=G2"] and blend.Degree == 6
-    assert blend.FromEdges[0] is document.Low and blend.ToEdges[0] is document.High
+    assert blend.FromEdges[0][0] is document.Low and blend.ToEdges[0][0] is document.High
     blend.touch()
     document.recompute()
     assert blend.isValid() and abs(blend.Shape.Area - area) < 1e-9 * area

@@ -117,6 +117,40 @@ def click(view, point, modifier=None):
     pump(0.4)
 
 
+def drag(view, start, end, steps=12, at_half=lambda: None):
+    """The real mouse presses on one point of the model and lets go on another; at_half() is called on the way."""
+    _drag(_window_position(view, start), _window_position(view, end), steps, at_half)
+
+
+def drag_slider(name, share, steps=12):
+    """The real mouse takes a slider's handle from its middle so much of its width to the right."""
+    slider = widget(name)
+    middle = slider.mapTo(Gui.getMainWindow(), QtCore.QPoint(slider.width() // 2, slider.height() // 2 - 4))
+    start = middle.x(), middle.y()
+    _drag(start, (start[0] + round(share * slider.width()), start[1]), steps, lambda: None)
+
+
+def _drag(start, end, steps, at_half):
+    window = str(int(Gui.getMainWindow().winId()))
+
+    def move(share):
+        place = [str(round(a + share * (b - a))) for a, b in zip(start, end)]
+        subprocess.check_call(["xdotool", "mousemove", "--window", window, *place])
+        pump(0.05)
+
+    for share in (-0.01, 0.0):
+        move(share)
+    pump(0.2)
+    subprocess.check_call(["xdotool", "mousedown", "1"])
+    pump(0.1)
+    for step in range(steps):
+        move((step + 1) / steps)
+        if step == steps // 2:
+            at_half()
+    subprocess.check_call(["xdotool", "mouseup", "1"])
+    pump(0.2)
+
+
 def picture(name):
     """The window, left among the pictures of the build for people to look at."""
     Gui.updateGui()

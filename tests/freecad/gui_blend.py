@@ -75,6 +75,15 @@ gui.picture("blend_panel")
 gui.press("Cancel")
 assert document.getObject("Blend") is None and not gui.panel_is_open()
 
+# The context menu of the view offers it where there is something to join.
+menus = []
+workbench = Gui.activeWorkbench()
+workbench.appendContextMenu = lambda place, names: menus.append(names)
+for picks in ((("High", high_edge),), (("High", high_edge), ("Low", low_edge))):
+    select(document, *picks)
+    workbench.ContextMenu("View")
+assert menus == [["Fairing_FillHole"], ["Fairing_FillHole", NAME]], menus
+
 # With two edges selected it shows the surface at once.
 select(document, ("High", high_edge), ("Low", low_edge))
 assert gui.action_is_enabled(NAME)
@@ -82,7 +91,7 @@ Gui.runCommand(NAME)
 gui.wait_for_verdict("Meets all 2 edges")
 gui.press("Ok")
 blend = document.Blend
-assert blend.FromEdges == (document.High, [high_edge]) and blend.ToEdges == (document.Low, [low_edge])
+assert blend.FromEdges == [(document.High, (high_edge,))] and blend.ToEdges == [(document.Low, (low_edge,))]
 assert blend.isValid() and blend.WithinTolerance and len(blend.Shape.Faces) == 1
 assert type(blend.ViewObject.Proxy).__name__ == "BlendView"
 icon = blend.ViewObject.Proxy.getIcon()
@@ -118,7 +127,7 @@ select(document, ("Low", low_edge), ("Low", edge_at(document.Low.Shape, (0, 5, 0
        ("Low", edge_at(document.Low.Shape, (20, 5, 0))))
 QtCore.QTimer.singleShot(500, read_message_and_close)
 Gui.runCommand(NAME)
-assert said == ["The edges make one chain: a blend joins two."], said
+assert said == ["The edges make one chain: a blend joins two or more."], said
 select(document, ("Blend", "Edge1"), ("Blend", "Edge1"))
 assert not gui.action_is_enabled(NAME), "one edge picked twice"
 assert [obj.Name for obj in document.Objects] == before

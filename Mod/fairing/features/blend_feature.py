@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parametric blend: a Part::FeaturePython that joins edges of one or two objects and keeps the numbers."""
+"""The parametric blend: a Part::FeaturePython that joins edges of one object or several and keeps the numbers."""
 
 from __future__ import annotations
 
@@ -28,22 +28,24 @@ class BlendFeature(SolvedFeature):
 
 def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Optional[Mapping[Any, str]] = None,
                to_continuity: Optional[Mapping[Any, str]] = None, **options) -> App.DocumentObject:
-    """Makes a strip that joins two chains of free edges, beside the first one's object in the document, computed.
+    """Makes a surface that joins chains of free edges, beside the first one's object in the document, computed.
 
     from_edges       (object, ["Edge3"]): one edge of a smooth chain is enough
-    to_edges         the same for the other side, of the same object or of another one
+    to_edges         the same for the other side, of the same object or of another one; or a list of them: with
+                     several closed chains the blend is a junction
     from_continuity  edges of the first side that differ from `continuity`, {"Edge3": "G0"}
-    to_continuity    edges of the other side that differ
-    options          continuity, from_reach, to_reach, energy, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles, result:
-                     see fairing.blend()
+    to_continuity    edges of the other side that differ, {"Pipe.Edge3": "G0"} where it has several objects
+    options          continuity, from_reach, to_reach, energy, gap_tolerance (mm), angle_tolerance (degrees), degree,
+                     max_poles, result: see fairing.blend()
     Raises FairingError (or NativeModuleError) with one sentence, and then the document is as it was.
     """
     first, second = Side.of(from_edges, from_continuity), Side.of(to_edges, to_continuity)
-    container = container_for_results(first.base)
+    beside = first.objects[0]
+    container = container_for_results(beside)
     sides = BlendSides(first, second, container)
     request = sides.request(**options)
     solve(request, sides)
-    obj = first.base.Document.addObject("Part::FeaturePython", name)
+    obj = beside.Document.addObject("Part::FeaturePython", name)
     if container:
         container.addObject(obj)
     BlendFeature(obj)
@@ -76,7 +78,7 @@ def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
 
 def solve(request: BlendRequest, sides: BlendSides):
     """The native Fill of a request on its sides. Raises ValueError, FairingError or NativeModuleError."""
-    return request.solve(exchange.data_of(sides.shape))
+    return request.solve(exchange.data_of(sides.joined.shape))
 
 
 def _changed(read, edges, wishes) -> Side:
@@ -84,4 +86,4 @@ def _changed(read, edges, wishes) -> Side:
     if edges is not None:
         return Side.of(edges, wishes)
     side = read()
-    return side if wishes is None else Side.of(side.link(), wishes)
+    return side if wishes is None else Side.of(side.links(), wishes)

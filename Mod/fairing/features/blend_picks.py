@@ -6,37 +6,32 @@ from __future__ import annotations
 from typing import Iterable
 
 from .. import exchange
-from .blend_sides import NO_SIDE, BlendSides, Side
+from .blend_sides import NO_SIDE
+from .joined_shapes import Edge, JoinedShapes
 from .links import Link, links_of
 from .placement import container_for_results
 
 
-def two_sides(picks: Iterable[Link]) -> tuple[Link, Link]:
-    """The sides that picked edges make, that of the first pick in front.
+def two_sides(picks: Iterable[Link]) -> tuple[list[Link], list[Link]]:
+    """The sides that picked edges make: the chain of the first pick, and all others.
 
     Two edges are a side each; more are grouped by which of them connect. Raises ValueError with one sentence where
-    they make other than two chains, or FairingError where an edge is not free.
+    they make one chain only, or FairingError where an edge is not free.
     """
-    links = links_of(picks)
-    edges = [(obj, name) for obj, names in links for name in names]
+    edges = [(obj, int(name[len("Edge"):])) for obj, names in links_of(picks) for name in names]
     if len(edges) < 2:
         raise ValueError(NO_SIDE)
     if len(edges) == 2:
-        return tuple((obj, [name]) for obj, name in edges)
-    if len(links) > 2:
-        raise ValueError(f"The edges belong to {len(links)} objects: a blend joins one or two.")
-    sides = BlendSides(Side.of(links[0]), Side.of(links[-1]), container_for_results(links[0][0]))
-    request = sides.request()
-    picked = list(dict.fromkeys(request.from_edges + request.to_edges))
-    chains = exchange.native_shape(sides.shape).chains(picked)
-    if len(chains) != 2:
-        raise ValueError(f"The edges make {len(chains)} separate chains: a blend joins two."
-                         if len(chains) > 2 else "The edges make one chain: a blend joins two.")
-    chains.sort(key=lambda chain: picked[0] not in chain)
-    return tuple(_link_of([sides.place(edge) for edge in chain]) for chain in chains)
+        return _links(edges[:1]), _links(edges[1:])
+    joined = JoinedShapes((obj for obj, _ in edges), container_for_results(edges[0][0]))
+    numbers = [joined.number(*edge) for edge in edges]
+    chains = exchange.native_shape(joined.shape).chains(numbers)
+    if len(chains) < 2:
+        raise ValueError("The edges make one chain: a blend joins two or more.")
+    chains.sort(key=lambda chain: min(map(numbers.index, chain)))
+    first, *others = ([joined.place(number) for number in chain] for chain in chains)
+    return _links(first), _links(edge for chain in others for edge in chain)
 
 
-def _link_of(places) -> Link:
-    if len({obj.Name for obj, _ in places}) > 1:
-        raise ValueError("The edges of one side belong to two objects: join these objects first.")
-    return places[0][0], [name for _, name in places]
+def _links(edges: Iterable[Edge]) -> list[Link]:
+    return links_of((obj, [f"Edge{edge}"]) for obj, edge in edges)

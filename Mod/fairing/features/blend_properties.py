@@ -12,14 +12,15 @@ from .placement import container_of
 
 # name, type, group, tooltip
 ASKED = (
-    ("FromEdges", "App::PropertyLinkSubGlobal", "Boundary",
+    ("FromEdges", "App::PropertyLinkSubListGlobal", "Boundary",
      "Edges the blend starts from: one of a smooth chain is enough"),
-    ("ToEdges", "App::PropertyLinkSubGlobal", "Boundary",
-     "Edges the blend ends at, of the same object or of another one: one of a smooth chain is enough"),
+    ("ToEdges", "App::PropertyLinkSubListGlobal", "Boundary",
+     "Edges the blend ends at, of any objects: one of a smooth chain is enough; several closed chains make a junction"),
     ("FromContinuity", "App::PropertyStringList", "Boundary",
      "Edges of the side it starts from that differ, one a line: Edge7=G0"),
     ("ToContinuity", "App::PropertyStringList", "Boundary",
-     "Edges of the side it ends at that differ, one a line: Edge7=G0"),
+     "Edges of the side it ends at that differ, one a line: Edge7=G0, or Pipe.Edge7=G0 where there are several "
+     "objects"),
     ("FromReach", "App::PropertyFloat", "Shape",
      "How far the blend goes on before it turns away from the side it starts from; 1: what the energy likes best"),
     ("ToReach", "App::PropertyFloat", "Shape",
@@ -45,7 +46,7 @@ def add_properties(obj: App.DocumentObject) -> None:
 
 def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSides) -> None:
     """Stores what is asked for."""
-    obj.FromEdges, obj.ToEdges = sides.from_side.link(), sides.to_side.link()
+    obj.FromEdges, obj.ToEdges = sides.from_side.links(), sides.to_side.links()
     obj.FromContinuity, obj.ToContinuity = sides.from_side.lines(), sides.to_side.lines()
     obj.Continuity = request.continuity
     obj.GapTolerance = request.gap_tolerance or 0.0
@@ -59,11 +60,11 @@ def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSi
 
 def from_side(obj: App.DocumentObject) -> Side:
     """Raises ValueError with one sentence, as to_side() does."""
-    return Side.of(obj.FromEdges, dict(choice_properties.wishes(obj, "FromContinuity", "Edge7=G0")))
+    return Side.of(obj.FromEdges, _wishes(obj, "FromContinuity"))
 
 
 def to_side(obj: App.DocumentObject) -> Side:
-    return Side.of(obj.ToEdges, dict(choice_properties.wishes(obj, "ToContinuity", "Edge7=G0")))
+    return Side.of(obj.ToEdges, _wishes(obj, "ToContinuity"))
 
 
 def read_sides(obj: App.DocumentObject) -> BlendSides:
@@ -73,13 +74,17 @@ def read_sides(obj: App.DocumentObject) -> BlendSides:
 
 def read_choices(obj: App.DocumentObject) -> dict:
     """The choices that belong to no single edge, by the names of BlendRequest."""
-    return dict(continuity=obj.Continuity, from_reach=obj.FromReach, to_reach=obj.ToReach, energy=obj.Energy, gap_tolerance=obj.GapTolerance.Value or None,
-                angle_tolerance=obj.AngleTolerance.Value, degree=obj.Degree, max_poles=obj.MaxPoles,
-                result=obj.ResultMode)
+    return dict(continuity=obj.Continuity, from_reach=obj.FromReach, to_reach=obj.ToReach, energy=obj.Energy,
+                gap_tolerance=obj.GapTolerance.Value or None, angle_tolerance=obj.AngleTolerance.Value,
+                degree=obj.Degree, max_poles=obj.MaxPoles, result=obj.ResultMode)
 
 
 def write_report(obj: App.DocumentObject, blend) -> None:
     """Stores what was measured; edges by their names in the objects they belong to."""
     fill_properties.write_measured(obj, blend)
     sides = read_sides(obj)
-    obj.ReportEdges = [sides.name(side["edge"]) for side in blend.report["sides"]]
+    obj.ReportEdges = [sides.joined.name(side["edge"]) for side in blend.report["sides"]]
+
+
+def _wishes(obj: App.DocumentObject, name: str) -> dict[str, str]:
+    return dict(choice_properties.wishes(obj, name, "Edge7=G0", takes_objects=True))

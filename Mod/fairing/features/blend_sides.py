@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The two sides of a blend, which may lie on two objects, as edges of one shape."""
+"""The two sides of a blend, whose edges may lie on several objects, as edges of one shape."""
 
 from __future__ import annotations
 
@@ -7,88 +7,76 @@ import dataclasses
 from typing import Any, Mapping, Optional
 
 import FreeCAD as App
-import Part
 
 from .. import subelements
 from ..blend_request import BlendRequest
-from .links import link_of
-from .placement import shape_in
+from .joined_shapes import Edge, JoinedShapes
+from .links import Link, links_of
 
 NO_SIDE = "A side of the blend has no edge: pick an edge on either side."
 
 
 @dataclasses.dataclass(frozen=True)
 class Side:
-    """Edges of one object, and those of its edges that are met in another way than the rest, {"Edge7": "G0"}."""
+    """Picked edges, and those that are met in another way than the rest, {(object, 7): "G0"}."""
 
-    base: App.DocumentObject
-    edges: tuple[int, ...]
-    wishes: dict[int, str]
+    edges: tuple[Edge, ...]
+    wishes: Mapping[Edge, str] = dataclasses.field(default_factory=dict)
 
     @staticmethod
     def of(given, wishes: Optional[Mapping[Any, str]] = None) -> "Side":
-        """From a link, (object, ["Edge7"]). Raises ValueError where it is none, or names what is no edge."""
-        link = link_of(given)
-        if link is None or not link[1]:
+        """From a link, (object, ["Edge7"]), or a list of links; wishes by "Edge7", or by "Pipe.Edge7" where there are
+        several objects. Raises ValueError where there is no edge, or something else is named."""
+        edges = tuple((obj, edge) for obj, names in side_links(given) for edge in subelements.only_edges(names))
+        if not edges:
             raise ValueError(NO_SIDE)
-        wishes = {subelements.only_edges(edge)[0]: word for edge, word in (wishes or {}).items()}
-        return Side(link[0], subelements.only_edges(link[1]), wishes)
+        side = Side(edges)
+        return dataclasses.replace(side, wishes={side._edge_of(name): word for name, word in (wishes or {}).items()})
 
-    def link(self):
-        return self.base, [f"Edge{edge}" for edge in self.edges]
+    @property
+    def objects(self) -> list[App.DocumentObject]:
+        return list(dict.fromkeys(obj for obj, _ in self.edges))
+
+    def links(self) -> list[Link]:
+        return [(obj, [f"Edge{edge}" for base, edge in self.edges if base is obj]) for obj in self.objects]
+
+    def named_wishes(self) -> dict[str, str]:
+        """The wishes as scripts give them, in the order of their edges' numbers."""
+        ordered = sorted(self.wishes.items(), key=lambda item: (self.objects.index(item[0][0]), item[0][1]))
+        return {self._name_of(edge): word for edge, word in ordered}
 
     def lines(self) -> list[str]:
-        return [f"Edge{edge}={word}" for edge, word in sorted(self.wishes.items())]
+        return [f"{name}={word}" for name, word in self.named_wishes().items()]
+
+    def _edge_of(self, name) -> Edge:
+        base, _, local = str(name).rpartition(".") if isinstance(name, str) else ("", "", name)
+        named = [obj for obj in self.objects if obj.Name == base or not base]
+        if len(named) != 1:
+            raise ValueError(f"{name!r} is no edge of this side: write such as {self._name_of(self.edges[0])}.")
+        return named[0], subelements.only_edges(local)[0]
+
+    def _name_of(self, edge: Edge) -> str:
+        return f"{edge[0].Name}.Edge{edge[1]}" if len(self.objects) > 1 else f"Edge{edge[1]}"
 
 
 class BlendSides:
-    """One shape that holds the objects of both sides, in a container's coordinates, and whose edge is whose in it."""
+    """Both sides, and the shape that holds the objects of both, in a container's coordinates."""
 
     def __init__(self, from_side: Side, to_side: Side, container):
         self.from_side, self.to_side = from_side, to_side
-        self._objects = [from_side.base] + ([to_side.base] if to_side.base is not from_side.base else [])
-        self._shapes = [shape_in(container, obj) for obj in self._objects]
-        self.shape = self._shapes[0] if len(self._shapes) == 1 else self._joined()
+        self.joined = JoinedShapes(from_side.objects + to_side.objects, container)
 
     def request(self, **choices) -> BlendRequest:
         """What is asked of the whole shape. Raises ValueError where an object has no edge of that number."""
-        wishes = {self.number(side.base, edge): word for side in (self.from_side, self.to_side)
+        wishes = {self.joined.number(*edge): word for side in (self.from_side, self.to_side)
                   for edge, word in side.wishes.items()}
         return BlendRequest.of(self._numbers(self.from_side), self._numbers(self.to_side), wishes, **choices)
 
-    def place(self, number: int) -> tuple[App.DocumentObject, str]:
-        """The object that an edge of the whole shape belongs to, and the edge's name there."""
-        if len(self._shapes) == 1:
-            return self._objects[0], f"Edge{number}"
-        edge = self.shape.Edges[number - 1]
-        return next((obj, f"Edge{own}") for obj, shape in zip(self._objects, self._shapes)
-                    for own, other in enumerate(shape.Edges, 1) if other.isSame(edge))
-
-    def name(self, number: int) -> str:
-        """The name of an edge of the whole shape, with its object's in front where there are two."""
-        obj, name = self.place(number)
-        return name if len(self._shapes) == 1 else f"{obj.Name}.{name}"
-
-    def faces_beside(self, obj: App.DocumentObject, edge: int) -> list[int]:
-        """The numbers of the faces of one object that have this edge of it."""
-        shape = self._shapes[self._objects.index(obj)]
-        beside = shape.ancestorsOfType(shape.Edges[edge - 1], Part.Face)
-        return [number for number, face in enumerate(shape.Faces, 1) if any(face.isSame(other) for other in beside)]
-
-    def _joined(self) -> Part.Shape:
-        for obj, shape in zip(self._objects, self._shapes):
-            if shape.isNull():
-                raise ValueError(f"{obj.Label} has no shape.")
-        return Part.Compound(self._shapes)
-
     def _numbers(self, side: Side) -> list[int]:
-        return [self.number(side.base, edge) for edge in side.edges]
+        return [self.joined.number(*edge) for edge in side.edges]
 
-    def number(self, obj: App.DocumentObject, edge: int) -> int:
-        """An edge of one object as a number of the whole shape. Raises ValueError where the object lacks it."""
-        if len(self._shapes) == 1:
-            return edge  # the native module checks it
-        edges = self._shapes[self._objects.index(obj)].Edges
-        if not 1 <= edge <= len(edges):
-            raise ValueError(f"There is no edge {edge}: {obj.Label} has {len(edges)}.")
-        return next(n for n, other in enumerate(self.shape.Edges, 1) if other.isSame(edges[edge - 1]))
+
+def side_links(given) -> list[Link]:
+    """A link an object out of what callers may give for a side: a link, a list of links, or None."""
+    is_list = isinstance(given, (tuple, list)) and all(isinstance(item, (tuple, list)) for item in given)
+    return links_of(given if is_list else [given] if given else ())

@@ -102,11 +102,12 @@ def read(obj: App.DocumentObject) -> dict:
         max_poles=obj.MaxPoles, result=obj.ResultMode)
 
 
-def wishes(obj: App.DocumentObject, name: str, sample: str):
-    """The lines "Edge7=..." of a property, as pairs. Raises ValueError with a line that is none."""
+def wishes(obj: App.DocumentObject, name: str, sample: str, takes_objects: bool = False):
+    """The lines "Edge7=..." of a property, as pairs; "Pipe.Edge7=..." where objects may stand in front. Raises
+    ValueError with a line that is none."""
     for line in getattr(obj, name):
         edge, _, wish = (part.strip() for part in line.partition("="))
-        if not subelements.is_edge(edge):
+        if not subelements.is_edge(subelements.local_name(edge) if takes_objects else edge):
             raise ValueError(f"{name} holds '{line}': write an edge and its wish, such as {sample}")
         yield edge, wish
 

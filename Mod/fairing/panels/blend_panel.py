@@ -10,21 +10,24 @@ from PySide import QtCore
 
 from .. import selection, settings, subelements
 from ..blend_request import BlendRequest
-from ..choices import CONTINUITIES
 from ..features.blend_sides import Side
 from ..translation import translate
-from . import status
+from .blend_display import BlendDisplay
 from .blend_session import CHOICES, FROM, TO, BlendSession
+from .edge_panel import EdgePanel
 from .fill_choices import LimitChoices
-from .fill_display import FillDisplay
+from .reach_rows import ReachRows
 from .side_tables import SideTables
-from .solving_panel import SolvingPanel
+from .status import Status
+
+PAUSE = 250  # ms a reach stays before what OK takes is solved
 
 
-class BlendPanel(SolvingPanel):
+class BlendPanel(EdgePanel):
     """Connects a BlendSession with its form."""
 
     FORM, BOX, ICON, MAKE_CHOICES = "blend_faces.ui", "sidesBox", "Fairing_BlendFaces.svg", LimitChoices
+    DISPLAY = BlendDisplay
 
     @classmethod
     def show(cls, sides=(), obj: Optional[App.DocumentObject] = None) -> bool:
@@ -39,16 +42,21 @@ class BlendPanel(SolvingPanel):
 
         return cls.launch(make_session)
 
+    def _make_table(self) -> SideTables:
+        return SideTables(self._ui)
+
     def _set_up(self) -> None:
-        ui = self._ui
-        self._table = SideTables(ui)
-        self._display = FillDisplay(self._view, self._session, self._label_clicked, self._table.select)
-        self._table.chosen.connect(lambda edge, word: self._set_continuity(word, edge))
-        self._table.pointed.connect(self._display.point_at)
-        for word in CONTINUITIES:
-            button = getattr(ui, f"all{word}Button")
-            button.clicked.connect(lambda *_, word=word: self._set_continuity(word))
-        ui.clearButton.clicked.connect(self._clear)
+        super()._set_up()
+        self._reaches = ReachRows(self._ui, self._asked_reaches())
+        self._reaches.changed.connect(self._reach)
+        self._display.on_reach = self._reach
+        self._settled = QtCore.QTimer(self._ui)
+        self._settled.setSingleShot(True)
+        self._settled.setInterval(PAUSE)
+        self._settled.timeout.connect(self._solve_settled)
+        self._pointed = 0
+        self._table.pointed.connect(self._point_at)
+        self._ui.dropButton.clicked.connect(self._drop)
 
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
         if not subelements.is_edge(name):
@@ -63,44 +71,55 @@ class BlendPanel(SolvingPanel):
             self._ui.toButton.setChecked(True)
         self._refresh()
 
-    def _label_clicked(self, edge: int, with_shift: bool) -> None:
-        """The next continuity, for all edges with shift. Later, since the label under the mouse is made anew."""
-        current = next(row["continuity"] for row in self._session.loop if row["edge"] == edge)
-        word = CONTINUITIES[(CONTINUITIES.index(current) + 1) % len(CONTINUITIES)]
-        QtCore.QTimer.singleShot(0, lambda: self._set_continuity(word, None if with_shift else edge))
+    def _point_at(self, edge: int) -> None:
+        self._pointed = edge
+        self._ui.dropButton.setEnabled(self._session.is_picked(edge))
 
-    def _set_continuity(self, word: str, edge: Optional[int] = None) -> None:
-        self._session.set_continuity(word, edge)
+    def _drop(self) -> None:
+        self._session.drop(self._pointed)
         self._refresh()
 
     def _clear(self) -> None:
-        self._session.clear()
         self._ui.fromButton.setChecked(True)
-        self._refresh()
+        super()._clear()
+
+    def _reach(self, side: int, value: float) -> None:
+        """Shows another reach at once where there is a blend to start from; what OK takes is solved when it stays."""
+        try:
+            reached = self._session.reach(side, value)
+        except ValueError as error:
+            self._say(Status.BAD, str(error))
+            return
+        self._reaches.show(self._asked_reaches())
+        if reached is None:
+            self._refresh()
+            return
+        self._result = None
+        self._say(*self._show_surface(*reached))
+        self._settled.start()
+
+    def _solve_settled(self) -> None:
+        if not self._is_closed and self._result is None:
+            self._solve_or_wait(self._session.problem, True)
+
+    def _asked_reaches(self) -> tuple[float, float]:
+        return self._session.request.from_reach, self._session.request.to_reach
+
+    def _show_result(self, value):
+        self._session.keep(value[0])
+        return super()._show_result(value)
 
     def _refresh(self, *_) -> None:
         """Something changed: show the sides, and have the surface computed."""
-        session, ui = self._session, self._ui
+        session = self._session
         self._result = None
+        self._settled.stop()
         session.update()
         self._table.show(session.loops, session.request)
-        ui.promptLabel.setVisible(None in session.sides)
-        for widget in (ui.allG2Button, ui.allG1Button, ui.allG0Button, ui.clearButton):
-            widget.setEnabled(any(session.sides))
+        has_both = None not in session.sides
+        self._ui.promptLabel.setVisible(not has_both)
+        self._reaches.set_visible(session.has_reach)
+        self._show_picks(any(session.sides))
+        self._point_at(self._pointed)
         self._show_unsolved("")
-        self._solve_or_wait(session.problem, None not in session.sides)
-
-    def _show_result(self, value):
-        self._result, mesh = value
-        report = self._result.report
-        self._display.show_fill(report, mesh)
-        self._table.show_report(report)
-        self._choices.show_limits(report["limits"])
-        notes = "".join(f"\n{note['text']}" for note in report["notes"])
-        self._ui.verdictLabel.setToolTip(self._result.composition + notes)
-        return status.of_fill(self._result), self._result.verdict + notes
-
-    def _show_nothing(self) -> None:
-        self._display.show_unsolved()
-        self._table.show_report(None)
-        self._ui.verdictLabel.setToolTip("")
+        self._solve_or_wait(session.problem, has_both)

@@ -25,8 +25,10 @@ class BoundaryTable(QtCore.QObject):
     def __init__(self, widget: QtGui.QTableWidget):
         super().__init__(widget)
         self._widget = widget
+        self._shown: list[tuple] = []  # what tells the rows apart
         self._rows: dict[int, int] = {}  # edge -> row
         self._combos: dict[int, QtGui.QComboBox] = {}
+        self._found: set[int] = set()  # edges that nobody picked
         header = widget.horizontalHeader()
         for column in range(widget.columnCount()):
             header.setSectionResizeMode(column, QtGui.QHeaderView.ResizeToContents)
@@ -37,9 +39,11 @@ class BoundaryTable(QtCore.QObject):
 
     def show_loop(self, loop: list[dict], request: Choices) -> None:
         """One row a side, not measured yet. Rows that stay keep their numbers until new ones come."""
-        edges = [side["edge"] for side in loop]
-        if edges != list(self._rows):
+        shown = [(side["edge"], side.get("name"), side["face"]) for side in loop]
+        if shown != self._shown:
+            self._shown = shown
             self._rebuild(loop)
+        self._mark_found(loop)
         for side in loop:
             combo = self._combos[side["edge"]]
             combo.blockSignals(True)
@@ -59,8 +63,7 @@ class BoundaryTable(QtCore.QObject):
             self._set(row, GAP, length_text(side["gap"]["max"]) if side else "")
             self._set(row, ANGLE, _angle_of(side) if side else "")
             self._set(row, CURVATURE, percent_text(side["curvature"]["max"]) if side and side["has_normal"] else "")
-            for column in (EDGE, FACE, GAP, ANGLE, CURVATURE):
-                self._widget.item(row, column).setToolTip(_explanation(side, report) if side else "")
+            self._explain(edge, _explanation(side, report) if side else [])
 
     def needed_width(self) -> int:
         """Pixels for every column to show in full, numbers that are still to come included."""
@@ -91,6 +94,21 @@ class BoundaryTable(QtCore.QObject):
             self._set(row, CURVATURE, "")
             self._widget.item(row, EDGE).setIcon(QtGui.QIcon(status.Status.UNKNOWN.pixmap(14)))
             self._widget.setCellWidget(row, CONTINUITY, self._make_combo(side["edge"]))
+
+    def _mark_found(self, loop: list[dict]) -> None:
+        """An edge that belongs to the picked ones without having been picked is written slanted."""
+        self._found = {side["edge"] for side in loop if side.get("found")}
+        for edge, row in self._rows.items():
+            font = self._widget.font()
+            font.setItalic(edge in self._found)
+            self._widget.item(row, EDGE).setFont(font)
+            self._explain(edge, [])
+
+    def _explain(self, edge: int, lines: list[str]) -> None:
+        found = [translate("Fairing", "Found by itself: it continues a picked edge smoothly")]
+        for column in (EDGE, FACE, GAP, ANGLE, CURVATURE):
+            self._widget.item(self._rows[edge], column).setToolTip(
+                "\n".join((found if edge in self._found else []) + lines))
 
     def _make_combo(self, edge: int) -> QtGui.QComboBox:
         combo = QtGui.QComboBox()
@@ -131,8 +149,8 @@ def _curvature_line(side: dict, report: dict) -> str:
         found, percent_text(report["limits"]["curvature"]))
 
 
-def _explanation(side: dict, report: dict) -> str:
-    """Everything measured along one side, with the limits."""
+def _explanation(side: dict, report: dict) -> list[str]:
+    """Everything measured along one side, with the limits, in lines."""
     lines = [translate("Fairing", "Gap {0}, allowed {1}").format(length_text(side["gap"]["max"]),
                                                                 length_text(report["limits"]["gap"]))]
     if side["has_normal"]:
@@ -145,4 +163,4 @@ def _explanation(side: dict, report: dict) -> str:
         ]
     if side["backwards"]:
         lines.append(translate("Fairing", "The surface folds back at this edge."))
-    return "\n".join(lines)
+    return lines

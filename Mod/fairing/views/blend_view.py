@@ -11,9 +11,8 @@ class BlendView(FillView):
 
     @staticmethod
     def bases_of(obj):
-        """The objects that are joined: two, one, or none where a link is lost."""
-        links = [link for link in (obj.FromEdges, obj.ToEdges) if link]
-        return list(dict.fromkeys(link[0] for link in links))
+        """The objects that are joined; none where the links are lost."""
+        return list(dict.fromkeys(link[0] for link in obj.FromEdges + obj.ToEdges))
 
     @staticmethod
     def open_panel(obj):

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The shapes of several objects as one, and which edge of it is whose."""
+
+from __future__ import annotations
+
+from typing import Iterable
+
+import FreeCAD as App
+import Part
+
+from .placement import shape_in
+
+Edge = tuple[App.DocumentObject, int]
+
+
+class JoinedShapes:
+    """One shape that holds the shapes of objects, in a container's coordinates; that of a lone object as it is."""
+
+    def __init__(self, objects: Iterable[App.DocumentObject], container):
+        self.objects = list(dict.fromkeys(objects))
+        shapes = {obj: shape_in(container, obj) for obj in self.objects}
+        for obj, shape in shapes.items():
+            if shape.isNull():
+                raise ValueError(f"{obj.Label} has no shape.")
+        self._shapes = shapes
+        self.is_joined = len(shapes) > 1
+        self.shape = Part.Compound(list(shapes.values())) if self.is_joined else shapes[self.objects[0]]
+        self._places = self._find_places() if self.is_joined else {}
+        self._numbers = {place: number for number, place in self._places.items()}
+
+    def number(self, obj: App.DocumentObject, edge: int) -> int:
+        """An edge of one object as a number of the whole shape. Raises ValueError where the object lacks it."""
+        if not self.is_joined:
+            return edge  # the native module checks it
+        if (obj, edge) not in self._numbers:
+            raise ValueError(f"There is no edge {edge}: {obj.Label} has {len(self._shapes[obj].Edges)}.")
+        return self._numbers[obj, edge]
+
+    def place(self, number: int) -> Edge:
+        """The object that an edge of the whole shape belongs to, and the edge's number there."""
+        return self._places[number] if self.is_joined else (self.objects[0], number)
+
+    def name(self, number: int) -> str:
+        """The name of an edge of the whole shape, with its object's in front where there are several."""
+        obj, edge = self.place(number)
+        return f"{obj.Name}.Edge{edge}" if self.is_joined else f"Edge{edge}"
+
+    def faces_beside(self, number: int) -> list[int]:
+        """The numbers, in their own object, of the faces that have an edge of the whole shape."""
+        obj, edge = self.place(number)
+        shape = self._shapes[obj]
+        beside = shape.ancestorsOfType(shape.Edges[edge - 1], Part.Face)
+        return [number for number, face in enumerate(shape.Faces, 1) if any(face.isSame(other) for other in beside)]
+
+    def _find_places(self) -> dict[int, Edge]:
+        own: dict[int, list] = {}
+        for obj, shape in self._shapes.items():
+            for edge, there in enumerate(shape.Edges, 1):
+                own.setdefault(there.hashCode(), []).append((there, (obj, edge)))
+        return {number: next(place for there, place in own[edge.hashCode()] if there.isSame(edge))
+                for number, edge in enumerate(self.shape.Edges, 1)}
