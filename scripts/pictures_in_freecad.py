@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What scripts/pictures does inside FreeCAD: makes shapes with a hole, fills each through the Python package and
-leaves a picture of every fill in $FAIRING_OUTPUT: the base in grey, a colour a patch, its isolines and borders."""
+leaves a picture of every fill in $FAIRING_OUTPUT: the base in grey, a colour a patch, its isolines and borders; and one
+of the blend panel at work."""
 
 import math
 import os
@@ -95,6 +96,12 @@ def show(document, name: str, shape: Part.Shape, color: tuple, width: float):
     return obj
 
 
+def look(view, turn: float, tilt: float):
+    """The camera turned about z and tilted from above, degrees."""
+    view.setCameraOrientation(App.Rotation(App.Vector(0, 0, 1), turn).multiply(
+        App.Rotation(App.Vector(1, 0, 0), tilt)))
+
+
 def picture(name: str, base: Part.Shape, edges: list, turn: float, tilt: float, margin=1.1, **options):
     """Fills, shows, saves; the camera is turned about z and tilted from above, degrees; margin is the
     height of the picture over that of the patches."""
@@ -109,8 +116,7 @@ def picture(name: str, base: Part.Shape, edges: list, turn: float, tilt: float, 
     view = Gui.ActiveDocument.ActiveView
     view.setAnimationEnabled(False)
     view.setCameraType("Orthographic")
-    view.setCameraOrientation(App.Rotation(App.Vector(0, 0, 1), turn).multiply(
-        App.Rotation(App.Vector(1, 0, 0), tilt)))
+    look(view, turn, tilt)
     for patch in patches:
         Gui.Selection.addSelection(patch)
     Gui.SendMsgToActiveView("ViewSelection")
@@ -122,12 +128,47 @@ def picture(name: str, base: Part.Shape, edges: list, turn: float, tilt: float, 
     App.closeDocument(document.Name)
 
 
+def tilted_pipes(document) -> list:
+    """Two pipes as objects of their own, the upper one wider, beside the other's axis and tilted; and their rims."""
+    tilted = App.Placement(App.Vector(10, 4, 62), App.Rotation(App.Vector(0, 1, 0), 25))
+    rims = []
+    for name, radius, placement, height in (("Pipe", 15, App.Placement(), 30), ("Collar", 22, tilted, 0)):
+        wall = Part.makeCircle(radius).extrude(App.Vector(0, 0, 30 if height else 20))
+        obj = document.addObject("Part::Feature", name)
+        obj.Shape, obj.Placement = wall, placement
+        obj.ViewObject.ShapeColor, obj.ViewObject.Deviation = (0.62, 0.69, 0.77), 0.02
+        rims.append((obj, next(f"Edge{number}" for number, edge in enumerate(wall.Edges, 1)
+                               if edge.isClosed() and abs(edge.CenterOfMass.z - height) < 1e-6)))
+    document.recompute()
+    return rims
+
+
+def blend_panel():
+    """The panel of Blend Faces with a slider moved: what users see."""
+    view = App.ParamGet("User parameter:BaseApp/Preferences/View")
+    for name, color in (("BackgroundColor2", 0xF4F6F9FF), ("BackgroundColor3", 0xB9C4D2FF)):
+        view.SetUnsigned(name, color)
+    document = App.newDocument("pipes")
+    rims = tilted_pipes(document)
+    look(gui.look_at_all(), turn=228, tilt=75)
+    Gui.SendMsgToActiveView("ViewFit")
+    for obj, edge in rims:
+        Gui.Selection.addSelection(document.Name, obj.Name, edge)
+    Gui.runCommand("Fairing_BlendFaces")
+    gui.wait_for_verdict()
+    gui.widget("fromReachSpin").setValue(1.4)
+    gui.wait_for_verdict()
+    gui.picture("blend_panel")
+    gui.press("Cancel")
+
+
 def main():
     gui.start()
     picture("star_fill", *rounded_corner(), turn=118, tilt=50, margin=1.4)
     picture("star_fill_pentagon", *with_hole(pentagon()), turn=-25, tilt=48)
     picture("star_fill_l", *with_hole(l_shape()), turn=-25, tilt=48, layout="star")
     picture("o_grid_fill", *with_hole(circle()), turn=-25, tilt=48)
+    blend_panel()
     picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
 
 

@@ -8,6 +8,7 @@
     obj = fairing.make_fill_all(base)                             one for every hole of another object
     shape, report = fairing.blend(base.Shape, ["Edge1"], ["Edge4"])       joins two edges, or two chains of them
     obj = fairing.make_blend((base, ["Edge1"]), (other, ["Edge3"]))       the same as a parametric document object
+    obj = fairing.make_blend((pipe, ["Edge1"]), [(a, ["Edge3"]), (b, ["Edge3"])])     a side of several objects
     fairing.change_blend(obj, continuity="G2")                    with other choices
     fairing.holes(base.Shape)                                     the loops of free edges
 
