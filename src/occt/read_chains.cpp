@@ -233,10 +233,10 @@ Result<bool> meansJunction(const ShapeIndex& index, const BlendPicks& picks) {
   });
 }
 
-Result<std::vector<int>> wholeChain(const ShapeIndex& index,
-                                    const std::vector<int>& edges,
-                                    const std::vector<int>& others) {
-  return guarded([&]() -> Result<std::vector<int>> {
+Result<WholeChain> wholeChain(const ShapeIndex& index,
+                              const std::vector<int>& edges,
+                              const std::vector<int>& others) {
+  return guarded([&]() -> Result<WholeChain> {
     if (edges.empty()) return fail({.code = ErrorCode::NothingPicked});
     const BorderGraph graph = BorderGraph::build(index, {});
     const auto own = pickedPositions(index, graph, edges);
@@ -246,7 +246,7 @@ Result<std::vector<int>> wholeChain(const ShapeIndex& index,
     ChainBuilder chain(index, graph, *own);
     if (const auto broken = chain.connect()) return fail(*broken);
     chain.extend(*foreign);
-    return chain.edges();
+    return WholeChain{chain.edges(), chain.isClosed()};
   });
 }
 

@@ -37,11 +37,17 @@ struct BlendPicks {
 [[nodiscard]] Result<boundary::BoundaryLoop> readLoops(const ShapeIndex& index,
                                                        const BlendPicks& picks);
 
-/// The edges of one side of a blend in the order they are run through: the picked ones, and those
-/// readChains() would add when `others` are the picks of the other side. Fails as it does.
-[[nodiscard]] Result<std::vector<int>> wholeChain(const ShapeIndex& index,
-                                                  const std::vector<int>& edges,
-                                                  const std::vector<int>& others);
+/// One side of a blend.
+struct WholeChain {
+  std::vector<int> edges;  ///< in the order they are run through
+  bool closed = false;
+};
+
+/// The picked edges of one side of a blend, and those readChains() would add when `others` are the
+/// picks of the other side. Fails as it does.
+[[nodiscard]] Result<WholeChain> wholeChain(const ShapeIndex& index,
+                                            const std::vector<int>& edges,
+                                            const std::vector<int>& others);
 
 /// Edges grouped into chains that connect, each ascending, by their lowest edges.
 [[nodiscard]] Result<std::vector<std::vector<int>>> groupEdges(const ShapeIndex& index,

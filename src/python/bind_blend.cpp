@@ -62,10 +62,11 @@ std::vector<std::vector<int>> chains(const ShapeIndex& shape, const std::vector<
   return valueOf(occt::groupEdges(shape, edges));
 }
 
-std::vector<int> wholeChain(const ShapeIndex& shape,
-                            const std::vector<int>& edges,
-                            const std::vector<int>& others) {
-  return valueOf(occt::wholeChain(shape, edges, others));
+py::tuple wholeChain(const ShapeIndex& shape,
+                     const std::vector<int>& edges,
+                     const std::vector<int>& others) {
+  const auto chain = valueOf(occt::wholeChain(shape, edges, others));
+  return py::make_tuple(chain.edges, chain.closed);
 }
 
 ShapeBlend reaching(const ShapeBlend& blend,
@@ -119,7 +120,8 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
            py::arg("edges"),
            py::arg("others") = std::vector<int>{},
            "The picked edges of one side of a blend in order, with those that continue them "
-           "smoothly up to the other side's. Raises FairingError where they make no chain.")
+           "smoothly up to the other side's, and whether they close. Raises FairingError where "
+           "they make no chain.")
       .def(
           "blend",
           &blend,

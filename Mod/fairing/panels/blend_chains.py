@@ -13,10 +13,11 @@ LINE_POINTS = 65  # of an edge
 
 class BlendChains:
     """The shape of both sides as the native module takes it, and the chains in it. `problem` says why picked edges make
-    no chain; is_junction whether there are more than two."""
+    no chain; is_junction whether there are more than two, is_closed whether
+    all of them close."""
 
     def __init__(self, sides: BlendSides):
-        self.sides, self.problem, self.is_junction = sides, "", False
+        self.sides, self.problem, self.is_junction, self.is_closed = sides, "", False, True
         self.brep = exchange.data_of(sides.joined.shape)
         self._native = exchange.native_shape_of(self.brep)
         self._edges = sides.joined.shape.Edges
@@ -42,7 +43,8 @@ class BlendChains:
         except ValueError as error:
             self.problem = self.problem or str(error)
             return own
-        return list(dict.fromkeys(number for chain in found for number in chain))
+        self.is_closed = self.is_closed and all(closed for _, closed in found)
+        return list(dict.fromkeys(number for chain, _ in found for number in chain))
 
     def _row(self, number: int, found: bool, side: Side, continuity: str) -> dict:
         joined = self.sides.joined
