@@ -155,8 +155,8 @@
    <translation>Seiten</translation>
   </message>
   <message>
-   <source>Pick an edge the surface starts from in the 3D view, then the edge it ends at.</source>
-   <translation>In der 3D-Ansicht eine Kante anklicken, an der die Fläche beginnt, dann die, an der sie endet.</translation>
+   <source>Pick an edge the surface starts from in the 3D view, then the edge it ends at, or several closed ones for a junction.</source>
+   <translation>In der 3D-Ansicht eine Kante anklicken, an der die Fläche beginnt, dann die, an der sie endet, oder für einen Knoten mehrere geschlossene.</translation>
   </message>
   <message>
    <source>Starts from</source>
@@ -167,8 +167,8 @@
    <translation>Kanten, die jetzt gewählt werden, gehören zu der Seite, an der die Fläche beginnt</translation>
   </message>
   <message>
-   <source>The picked edges of this side; edges that continue them smoothly belong to it, too. Meets: G2 meets the neighbouring face in curvature, G1 tangentially, G0 only touches the edge. The numbers are the largest ones measured along the edge.</source>
-   <translation>Die gewählten Kanten dieser Seite; Kanten, die sie glatt fortsetzen, gehören auch zu ihr. G2 schließt in der Krümmung an die Nachbarfläche an, G1 tangential, G0 berührt nur die Kante. Die Zahlen sind die größten, die entlang der Kante gemessen wurden.</translation>
+   <source>The edges of this side: the picked ones, and slanted those that continue them smoothly, found by themselves. Meets: G2 meets the neighbouring face in curvature, G1 tangentially, G0 only touches the edge. The numbers are the largest ones measured along the edge.</source>
+   <translation>Die Kanten dieser Seite: die gewählten und schräg gedruckt die, die sie glatt fortsetzen und von selbst gefunden wurden. G2 schließt in der Krümmung an die Nachbarfläche an, G1 tangential, G0 berührt nur die Kante. Die Zahlen sind die größten, die entlang der Kante gemessen wurden.</translation>
   </message>
   <message>
    <source>Edge</source>
@@ -289,6 +289,26 @@
   <message>
    <source>Stop computing</source>
    <translation>Die Berechnung anhalten</translation>
+  </message>
+  <message>
+   <source>Reach</source>
+   <translation>Weite</translation>
+  </message>
+  <message>
+   <source>How far the surface goes on along the faces of this side before it turns away: 1 as the fairest surface does, 2 twice as far. Drag the blue arrow in the 3D view instead. Default: 1</source>
+   <translation>Wie weit die Fläche den Flächen dieser Seite folgt, ehe sie sich abwendet: 1 wie die schönste Fläche, 2 doppelt so weit. Statt dessen lässt sich der blaue Pfeil in der 3D-Ansicht ziehen. Vorgabe: 1</translation>
+  </message>
+  <message>
+   <source>Reach 1: as far as the fairest surface goes.</source>
+   <translation>Weite 1: so weit wie die schönste Fläche.</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Entfernen</translation>
+  </message>
+  <message>
+   <source>Take the edge chosen in the tables away from its side; edges found by themselves go with the picked ones</source>
+   <translation>Die in den Tabellen gewählte Kante von ihrer Seite nehmen; von selbst gefundene gehen mit den gewählten</translation>
   </message>
  </context>
  <context>
@@ -864,6 +884,10 @@
   <message>
    <source>Pick guiding faces</source>
    <translation>Führende Flächen wählen</translation>
+  </message>
+  <message>
+   <source>Found by itself: it continues a picked edge smoothly</source>
+   <translation>Von selbst gefunden: setzt eine gewählte Kante glatt fort</translation>
   </message>
  </context>
  <context>
