@@ -94,6 +94,7 @@ class BlendPanel(EdgePanel):
         if reached is None:
             self._refresh()
             return
+        self._idle()  # what still runs is of another reach
         self._result = None
         self._say(*self._show_surface(*reached))
         self._settled.start()
