@@ -66,8 +66,9 @@ struct FillArguments {
 /// A blend: two sides, or edges that make them.
 struct BlendArguments {
   SolveArguments solve;
-  std::vector<std::string> edges, from, to, edgeContinuity;
-  std::string continuity = "G1";
+  std::vector<std::string> edges, from, to, edgeContinuity, pairs;
+  std::string continuity = "G1", match = "auto";
+  double alignment = 0.0;
   std::optional<double> gap, angle;
   std::vector<double> reachFrom{1.0}, reachTo{1.0};  ///< at the start, at the end
   std::string departureFrom = "free", departureTo = "free";

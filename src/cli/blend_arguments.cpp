@@ -63,6 +63,15 @@ void BlendArguments::addTo(CLI::App& command) {
       "mm: start inside the faces of the first side, at this distance from its edges; "
       "the faces are trimmed back to there");
   command.add_option("--setback-to", setbackTo, "the same on the other side");
+  command.add_option("--match",
+                     match,
+                     "which points of the sides belong together: auto, length or corners (default "
+                     "auto: corner to corner where both sides have as many)");
+  command.add_option("--alignment",
+                     alignment,
+                     "of closed sides: how far the second one is turned from where the blend is "
+                     "least twisted, as a share of its length, -0.5 to 0.5");
+  addList(command, "--pair", pairs, "vertices of the sides that belong together, such as 3=7,4=8");
   command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the blend's diagonal)");
   command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
   solve.addChoices(command);
@@ -77,6 +86,13 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
   if (!common) return fail(unknown("--continuity", continuity));
   picks.continuity = *common;
   picks.setback = {setbackFrom, setbackTo};
+  const auto matching = text::matchFrom(match);
+  if (!matching) return fail(unknown("--match", match));
+  picks.match = *matching;
+  picks.alignment = alignment;
+  const auto joined = parsePairs(pairs, "--pair");
+  if (!joined) return fail(joined.error());
+  picks.pairs = *joined;
   const auto first = parseNumbers(from, "--from", "Edge");
   if (!first) return fail(first.error());
   const auto second = parseNumbers(to, "--to", "Edge");

@@ -45,6 +45,21 @@ std::optional<Eigen::Vector3d> parseVector(std::string_view word) {
   return vector.allFinite() ? std::optional(vector) : std::nullopt;
 }
 
+Result<std::vector<std::pair<int, int>>> parsePairs(const std::vector<std::string>& words,
+                                                    const std::string& option) {
+  constexpr std::string_view kName = "Vertex";
+  std::vector<std::pair<int, int>> pairs;
+  for (const std::string& word : words) {
+    const std::size_t sign = std::min(word.find('='), word.size());
+    const std::string_view both = word;
+    const auto a = parseNumber(both.substr(0, sign), kName);
+    const auto b = parseNumber(both.substr(std::min(sign + 1, both.size())), kName);
+    if (!a || !b) return fail(unknown(option, word));
+    pairs.emplace_back(*a, *b);
+  }
+  return pairs;
+}
+
 std::optional<std::pair<int, std::string>> parseWish(std::string_view word) {
   const std::size_t sign = word.find('=');
   const auto edge = parseNumber(word.substr(0, sign), "Edge");

@@ -23,6 +23,9 @@ namespace fairing::cli {
                                                     std::string_view name);
 /// Three finite numbers, separated by commas, semicolons or blanks.
 [[nodiscard]] std::optional<Eigen::Vector3d> parseVector(std::string_view word);
+/// "3=7" or "Vertex3=Vertex7" as vertices 3 and 7. Fails with UnknownChoice.
+[[nodiscard]] Result<std::vector<std::pair<int, int>>> parsePairs(
+    const std::vector<std::string>& words, const std::string& option);
 /// "7=G0" as edge 7 and "G0".
 [[nodiscard]] std::optional<std::pair<int, std::string>> parseWish(std::string_view word);
 

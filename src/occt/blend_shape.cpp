@@ -5,6 +5,7 @@
 
 #include "core/blend/blend_loops.h"
 #include "core/blend/natural_strip.h"
+#include "occt/blend_notes.h"
 #include "occt/make_faces.h"
 #include "occt/setback.h"
 #include "occt/support_notes.h"
@@ -32,6 +33,7 @@ Result<Spanned> strip(const Base& base, const BlendOptions& options, Progress* p
   named.sides = inNumbersOf(std::move(named.sides), base.users);
   auto made = blendChains(named, options, progress);
   if (!made) return fail(made.error());
+  addBlendNotes(base.index, *pair, made->fill);
   return Spanned{pair->sides, std::move(*made)};
 }
 
@@ -74,6 +76,7 @@ Result<ShapeBlend> blendShape(const ShapeIndex& index,
   if (*several && isSetBack) return fail({.code = ErrorCode::JunctionWish, .detail = "setback"});
   if (*several) return blendOn({index, picks, {}}, junction);
   if (!isSetBack) return blendOn({index, picks, {}}, strip);
+  if (!picks.pairs.empty()) return fail({.code = ErrorCode::SetbackPairs});
   const auto trimmed = trimBack(index, picks);
   if (!trimmed) return fail(trimmed.error());
   return blendOn({trimmed->index, trimmed->picks, trimmed->users}, strip);

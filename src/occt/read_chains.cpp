@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "occt/read_chains.h"
 
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +13,7 @@
 
 #include "core/boundary/ring_of_loops.h"
 #include "occt/border_graph.h"
+#include "occt/from_occt.h"
 #include "occt/guarded.h"
 #include "occt/read_side.h"
 
@@ -188,6 +193,52 @@ Result<std::vector<SideChain>> chainsOf(const ShapeIndex& index,
   return chains;
 }
 
+/// Finds the joints of both sides that vertices stand for.
+class VertexFinder {
+ public:
+  VertexFinder(const ShapeIndex& index, const boundary::ChainPair& pair) : pair_(pair) {
+    TopExp::MapShapes(index.shape(), TopAbs_VERTEX, vertices_);
+  }
+  /// Two vertices, in any order. Fails with VertexOutOfRange or PairOffChain.
+  [[nodiscard]] Result<boundary::JointPair> pairOf(int a, int b) const {
+    for (const int vertex : {a, b})
+      if (vertex < 1 || vertex > vertices_.Extent())
+        return fail({.code = ErrorCode::VertexOutOfRange,
+                     .edge = vertex,
+                     .value = double(vertices_.Extent())});
+    if (!onFirst(a) && onFirst(b)) std::swap(a, b);
+    const auto first = onFirst(a), second = onSecond(b);
+    for (const auto& [vertex, place] : {std::pair{a, first}, {b, second}})
+      if (!place)
+        return fail({.code = ErrorCode::PairOffChain, .edge = vertex, .where = pointOf(vertex)});
+    return boundary::JointPair{*first, *second, a, b};
+  }
+
+ private:
+  using Place = std::optional<boundary::LoopPlace>;
+  [[nodiscard]] Eigen::Vector3d pointOf(int vertex) const {
+    return fromOcct(BRep_Tool::Pnt(TopoDS::Vertex(vertices_(vertex))));
+  }
+  [[nodiscard]] Place onFirst(int vertex) const { return on(vertex, 0, pair_.firstCount); }
+  [[nodiscard]] Place onSecond(int vertex) const {
+    return on(vertex, pair_.firstCount, pair_.sides.sides.size());
+  }
+  [[nodiscard]] Place on(int vertex, std::size_t from, std::size_t to) const {
+    constexpr double kSamePoint = 5e-4;  // of the diagonal: as far apart as edges that meet
+    const Eigen::Vector3d point = pointOf(vertex);
+    double nearest = kSamePoint * pair_.sides.diagonal;
+    Place found;
+    for (std::size_t k = from; k < to; ++k)
+      for (const double t : {0.0, 1.0}) {
+        const double distance = (pair_.sides.sides[k].ribbon.curve(t).point - point).norm();
+        if (distance <= nearest) nearest = distance, found = boundary::LoopPlace{k, t};
+      }
+    return found;
+  }
+  const boundary::ChainPair& pair_;
+  TopTools_IndexedMapOfShape vertices_;
+};
+
 }  // namespace
 
 Result<boundary::ChainPair> readChains(const ShapeIndex& index, const BlendPicks& picks) {
@@ -199,6 +250,13 @@ Result<boundary::ChainPair> readChains(const ShapeIndex& index, const BlendPicks
     auto pair = boundary::pairChains(chains->front(), chains->back());
     if (!pair) return pair;
     if (const auto stray = strayWish(picksOf(picks), pair->sides.sides)) return fail(*stray);
+    pair->match = {picks.match, picks.alignment, {}};
+    const VertexFinder finder(index, *pair);
+    for (const auto& [a, b] : picks.pairs) {
+      const auto joint = finder.pairOf(a, b);
+      if (!joint) return fail(joint.error());
+      pair->match.pairs.push_back(*joint);
+    }
     return pair;
   });
 }

@@ -20,12 +20,16 @@ struct BlendPicks {
   /// How far into the faces the blend starts, from the first side and from the second, mm, 0 or
   /// more. readChains() gives the edges themselves: see setback.h.
   std::array<double, 2> setback = {};
+  boundary::MatchKind match = boundary::MatchKind::Auto;
+  double alignment = 0.0;                       ///< of closed sides (boundary/chain_match.h)
+  std::vector<std::pair<int, int>> pairs = {};  ///< VertexN of the sides that belong together
 };
 
 /// The two chains the picks mean: the picked edges of a side, and those that continue them smoothly
 /// as long as just one does and no picked one of the other side is reached. Fails with OneSideOnly,
-/// EdgeOnBothSides, ChainBroken, ChainBranches, EdgeNotInLoop, the refusals of BorderGraph, and the
-/// codes of pairChains(). The sides must not be evaluated by two threads at once.
+/// EdgeOnBothSides, ChainBroken, ChainBranches, EdgeNotInLoop, VertexOutOfRange, PairOffChain, the
+/// refusals of BorderGraph, and the codes of pairChains(). The sides must not be evaluated by two
+/// threads at once.
 [[nodiscard]] Result<boundary::ChainPair> readChains(const ShapeIndex& index,
                                                      const BlendPicks& picks);
 

@@ -36,6 +36,9 @@ ShapeBlend blend(const ShapeIndex& shape,
                       bool toFlip,
                       double fromSetback,
                       double toSetback,
+                      const std::string& match,
+                      double alignment,
+                      std::vector<std::pair<int, int>> pairs,
                       const std::string& energy,
                       std::optional<double> tolerance,
                       double angle,
@@ -47,7 +50,10 @@ ShapeBlend blend(const ShapeIndex& shape,
                                .to = std::move(to),
                                .continuity = continuityOf(continuity),
                                .edgeContinuity = continuitiesOf(wishes.value_or(Wishes{})),
-                               .setback = {fromSetback, toSetback}};
+                               .setback = {fromSetback, toSetback},
+                               .match = choice(text::matchFrom, "match", match),
+                               .alignment = alignment,
+                               .pairs = std::move(pairs)};
   const BlendOptions options{optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles),
                              {{fromReach, toReach}, {fromReachEnd, toReachEnd}},
                              {choice(text::departureFrom, "from_departure", fromDeparture),
@@ -139,6 +145,9 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           py::arg("to_flip") = false,
           py::arg("from_setback") = 0.0,
           py::arg("to_setback") = 0.0,
+          py::arg("match") = std::string(text::word(boundary::MatchKind::Auto)),
+          py::arg("alignment") = 0.0,
+          py::arg("pairs") = std::vector<std::pair<int, int>>{},
           py::arg("energy") = std::string(text::word(FillOptions{}.energy)),
           py::arg("tolerance") = py::none(),
           py::arg("angle") = Tolerance{}.angle,
@@ -156,7 +165,11 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           "side "
           "the other way, over its face. from_setback and to_setback, mm: start inside the faces "
           "at this "
-          "distance from the edges; the faces are trimmed back to there. tolerance is "
+          "distance from the edges; the faces are trimmed back to there. "
+          "match is auto, length or corners: corners belong to corners "
+          "where both sides have as many, points at equal shares of the lengths elsewhere. "
+          "alignment, -0.5 to 0.5, turns closed sides against each other, by a share of the second "
+          "one's length; pairs holds vertices of both sides that belong together. tolerance is "
           "in mm (None: a millionth of the diagonal of both chains), angle in degrees, degree 3 "
           "to 9 (0: chosen from the edges). The GIL is released while solving. Raises "
           "FairingError.");

@@ -74,6 +74,16 @@ const char* name(ErrorCode code) {
       return "ChainBranches";
     case ErrorCode::ChainTurns:
       return "ChainTurns";
+    case ErrorCode::CornersDiffer:
+      return "CornersDiffer";
+    case ErrorCode::PairOffChain:
+      return "PairOffChain";
+    case ErrorCode::PairsCross:
+      return "PairsCross";
+    case ErrorCode::AlignmentOutOfRange:
+      return "AlignmentOutOfRange";
+    case ErrorCode::AlignmentUnused:
+      return "AlignmentUnused";
     case ErrorCode::ChainsUnlike:
       return "ChainsUnlike";
     case ErrorCode::EdgeOnBothSides:

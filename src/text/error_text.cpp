@@ -177,11 +177,38 @@ std::string blendSentence(const Error& e) {
           e.edge);
     case ErrorCode::ChainTurns:
       return fmt::format(
-          "One side of the blend turns by {} at the end of edge {}{}: blend the smooth "
-          "stretches before and after it one by one.",
+          "One side of the junction turns by {} at the end of edge {}{}: only smooth loops make a "
+          "junction.",
           angle(e.value),
           e.edge,
           at(e));
+    case ErrorCode::CornersDiffer:
+      return fmt::format(
+          "One side of the blend has {} corner{}, the other one {}: match them by length, or set "
+          "pairs of vertices.",
+          e.edge,
+          e.edge == 1 ? "" : "s",
+          count(e));
+    case ErrorCode::PairOffChain:
+      return fmt::format(
+          "Vertex {}{} joins no edges of the blend's sides: pair a vertex of one side with one of "
+          "the other.",
+          e.edge,
+          at(e));
+    case ErrorCode::PairsCross:
+      return fmt::format(
+          "The pair of vertices {}{} crosses another one: pairs must follow each other in the "
+          "same order on both sides of the blend.",
+          e.detail,
+          at(e));
+    case ErrorCode::AlignmentOutOfRange:
+      return fmt::format("The alignment must be from -0.5 to 0.5, not {}.", number(e.value));
+    case ErrorCode::AlignmentUnused:
+      return e.detail == "open"
+                 ? "The sides of the blend are open: their ends belong together, and there is "
+                   "nothing to align."
+                 : "Pairs of vertices say where the sides of the blend start: leave out the "
+                   "alignment or the pairs.";
     case ErrorCode::ChainsUnlike:
       return fmt::format(
           "One side of the blend is closed, the side of edge {} is open: pick two closed "
@@ -305,6 +332,11 @@ std::string sentence(const Error& error) {
     case ErrorCode::ChainBroken:
     case ErrorCode::ChainBranches:
     case ErrorCode::ChainTurns:
+    case ErrorCode::CornersDiffer:
+    case ErrorCode::PairOffChain:
+    case ErrorCode::PairsCross:
+    case ErrorCode::AlignmentOutOfRange:
+    case ErrorCode::AlignmentUnused:
     case ErrorCode::ChainsUnlike:
     case ErrorCode::JunctionReach:
     case ErrorCode::ReachNotPositive:

@@ -27,6 +27,38 @@ std::string sentence(const analysis::Note& note) {
       return fmt::format(
           "The hole turns {} from the plane it is trimmed over: another layout suits it better.",
           angle(note.value));
+    case analysis::NoteCode::StripCreased:
+      return note.value > 0.0
+                 ? fmt::format(
+                       "The faces beside the end of edge {} meet at {}: from {} on the blend has a "
+                       "crease.",
+                       note.edge,
+                       angle(note.value),
+                       point(note.where))
+                 : fmt::format(
+                       "The side turns at the end of edge {} and is met in position only: from {} "
+                       "on the blend has a crease.",
+                       note.edge,
+                       point(note.where));
+    case analysis::NoteCode::StripFolds:
+      return fmt::format(
+          "The blend folds: {} of it is turned over about {}; another alignment, or pairs of "
+          "vertices, may help.",
+          percent(note.value),
+          point(note.where));
+    case analysis::NoteCode::CutsItself:
+      return fmt::format("The blend cuts through itself over {} about {}; less reach may help.",
+                         length(note.value),
+                         point(note.where));
+    case analysis::NoteCode::CutsFace:
+      return fmt::format("The blend cuts through face {}, which it joins, over {} about {}.",
+                         note.face,
+                         length(note.value),
+                         point(note.where));
+    case analysis::NoteCode::BasesOverlap:
+      return fmt::format("The shapes that the blend joins overlap over {} about {}.",
+                         length(note.value),
+                         point(note.where));
   }
   return {};
 }

@@ -57,7 +57,8 @@ json toJson(const analysis::SeamReport& seam) {
           {"other", seam.other},
           {"gap", toJson(seam.gap)},
           {"angle", toJson(seam.angle)},
-          {"curvature", toJson(seam.curvature)}};
+          {"curvature", toJson(seam.curvature)},
+          {"crease", seam.crease}};
 }
 
 json toJson(const analysis::InnerReport& inner) {
@@ -67,6 +68,7 @@ json toJson(const analysis::InnerReport& inner) {
 json toJson(const analysis::Note& note) {
   return {{"text", sentence(note)},
           {"edge", note.edge},
+          {"face", note.face},
           {"where", toJson(note.where)},
           {"value", note.value}};
 }
@@ -128,6 +130,9 @@ json toJson(const FillResult& result) {
   json report = toJson(result.report);
   report["layout"] = word(result.layout);
   report["solve"] = toJson(result.summary);
+  report["matches"] = json::array();
+  for (const auto& [from, to] : result.matches)
+    report["matches"].push_back({{"from", toJson(from)}, {"to", toJson(to)}});
   report["patches"] = json::array();
   for (const spline::BsplineSurface& patch : result.patches) {
     report["patches"].push_back({{"degree", {patch.u.degree(), patch.v.degree()}},

@@ -89,7 +89,7 @@ std::string seamTable(const FillReport& report) {
                         fmt::format("{} - {}", seam.patch + 1, seam.other + 1),
                         length(seam.gap.max),
                         angle(seam.angle.max),
-                        percent(seam.curvature.max));
+                        seam.crease ? "crease" : percent(seam.curvature.max));
   }
   return text;
 }

@@ -27,6 +27,9 @@ constexpr Words<boundary::Departure, 3> kDepartures{
     {{boundary::Departure::Free, "free"},
      {boundary::Departure::Perpendicular, "perpendicular"},
      {boundary::Departure::Iso, "iso"}}};
+constexpr Words<boundary::MatchKind, 3> kMatches{{{boundary::MatchKind::Auto, "auto"},
+                                                  {boundary::MatchKind::Length, "length"},
+                                                  {boundary::MatchKind::Corners, "corners"}}};
 
 template <class T, std::size_t n>
 std::string_view find(const Words<T, n>& words, T value) {
@@ -58,6 +61,9 @@ std::string_view word(LayoutKind layout) {
 std::string_view word(boundary::Departure departure) {
   return find(kDepartures, departure);
 }
+std::string_view word(boundary::MatchKind match) {
+  return find(kMatches, match);
+}
 
 std::optional<Continuity> continuityFrom(std::string_view text) {
   return find(kContinuities, text);
@@ -70,6 +76,9 @@ std::optional<LayoutKind> layoutFrom(std::string_view text) {
 }
 std::optional<boundary::Departure> departureFrom(std::string_view text) {
   return find(kDepartures, text);
+}
+std::optional<boundary::MatchKind> matchFrom(std::string_view text) {
+  return find(kMatches, text);
 }
 
 }  // namespace fairing::text

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/boundary/chain_match.h"
 #include "core/boundary/continuity.h"
 #include "core/boundary/departure.h"
 #include "core/energy/energy_kind.h"
@@ -17,9 +18,12 @@ namespace fairing::text {
 [[nodiscard]] std::string_view word(LayoutKind layout);              ///< "auto", "quad", ...
 [[nodiscard]] std::string_view word(boundary::Departure departure);  ///< "free", "iso", ...
 
+[[nodiscard]] std::string_view word(boundary::MatchKind match);  ///< "auto", "length", "corners"
+
 [[nodiscard]] std::optional<Continuity> continuityFrom(std::string_view text);
 [[nodiscard]] std::optional<EnergyKind> energyFrom(std::string_view text);
 [[nodiscard]] std::optional<LayoutKind> layoutFrom(std::string_view text);
 [[nodiscard]] std::optional<boundary::Departure> departureFrom(std::string_view text);
+[[nodiscard]] std::optional<boundary::MatchKind> matchFrom(std::string_view text);
 
 }  // namespace fairing::text

@@ -134,6 +134,8 @@ FillReport emptyReport(const BoundaryLoop& loop, const Tolerance& tolerance) {
     if (corner.apart) continue;
     CornerReport entry;
     entry.point = corner.point;
+    entry.sideBefore = k;
+    entry.sideAfter = loop.next(k);
     entry.edgeBefore = loop.sides[k].edge;
     entry.edgeAfter = loop.sides[loop.next(k)].edge;
     entry.angle = corner.angle;

@@ -67,6 +67,8 @@ struct SeamReport {
   Deviation gap;        ///< mm
   Deviation angle;      ///< between the normals, degrees
   Deviation curvature;  ///< relative difference of the normal curvatures across the seam, 0 to 1
+  bool crease = false;  ///< meant to be met in position only: its angle is no miss
+  std::vector<AnglePlace> angleCurve;  ///< ascending, over the seam's parameter
 };
 
 /// A point or curve the patches were to pass through.
@@ -81,17 +83,24 @@ enum class NoteCode {
   SupportSingular,   ///< edge, where: the support has no normal there; taken from its neighbourhood
   CurvatureUnknown,  ///< edge, where: G2 asked, but the support has no curvature there
   LoopUnfit,         ///< value = degrees: the loop does not suit the trimmed layout's plane
+  StripCreased,      ///< edge, where, value = degrees: a blend has a crease from a corner on
+  StripFolds,        ///< where, value = share of its area, 0 to 1: a blend is turned over there
+  CutsItself,        ///< where, value = extent in mm
+  CutsFace,          ///< face, where, value = extent in mm: a blend cuts a face it joins
+  BasesOverlap,      ///< where, value = extent in mm: the bases of a blend cut each other
 };
 struct Note {
   NoteCode code = NoteCode::EdgeAbsorbed;
   int edge = 0;
   Eigen::Vector3d where = Eigen::Vector3d::Zero();
   double value = 0.0;
+  int face = 0;
 };
 
 /// What keeps a corner from being met exactly.
 struct CornerReport {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  std::size_t sideBefore = 0, sideAfter = 0;  ///< positions in FillReport::sides
   int edgeBefore = 0, edgeAfter = 0;
   double angle = 0.0;           ///< between the sides, degrees
   double normalMismatch = 0.0;  ///< degrees

@@ -36,6 +36,7 @@ std::vector<SeamReport> measureSeams(const std::vector<spline::BsplineSurface>& 
     SeamReport report;
     report.patch = seam.first.patch;
     report.other = seam.second.patch;
+    report.crease = seam.crease;
     const auto jetAt = [&](const SeamTrace& trace, double t) {
       const Eigen::Vector2d at = trace.start + t * (trace.end - trace.start);
       return patches[static_cast<std::size_t>(trace.patch)].jet(at.x(), at.y());
@@ -48,6 +49,7 @@ std::vector<SeamReport> measureSeams(const std::vector<spline::BsplineSurface>& 
       add(report.gap, (a.point - b.point).norm(), a.point, t);
       const double angle = std::atan2(na.cross(nb).norm(), na.dot(nb)) * 180.0 / std::numbers::pi;
       add(report.angle, angle, a.point, t);
+      report.angleCurve.push_back({t, angle});
       const Vector3d across = na.cross(a.point - before).normalized();
       const double ka = normalCurvature(a, across), kb = normalCurvature(b, across);
       add(report.curvature,
@@ -67,7 +69,7 @@ void addSeams(FillReport& report,
   report.seams = measureSeams(patches, seams, report.diagonal);
   for (const SeamReport& seam : report.seams) {
     report.largestSeamGap = std::max(report.largestSeamGap, seam.gap.max);
-    report.largestSeamAngle = std::max(report.largestSeamAngle, seam.angle.max);
+    if (!seam.crease) report.largestSeamAngle = std::max(report.largestSeamAngle, seam.angle.max);
   }
   report.withinTolerance = report.withinTolerance && report.largestSeamGap <= report.gapLimit &&
                            report.largestSeamAngle <= report.angleLimit;

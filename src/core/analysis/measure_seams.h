@@ -17,6 +17,7 @@ struct SeamTrace {
 /// A seam, run through in the same direction on both patches.
 struct SeamTraces {
   SeamTrace first, second;
+  bool crease = false;  ///< to be met in position only
 };
 
 /// Gap, angle between the normals and curvature mismatch of every seam, at equal shares of both

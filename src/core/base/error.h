@@ -44,7 +44,7 @@ enum class ErrorCode {
   InnerConstraintOff,     ///< value = distance in mm, where: farther from the loop than it is large
   ChainBroken,            ///< edge: does not connect to the other edges of its side of a blend
   ChainBranches,          ///< edge, where: more than two edges of one side of a blend meet
-  ChainTurns,             ///< edge, where, value = degrees: a corner within one side of a blend
+  ChainTurns,             ///< edge, where, value = degrees: a corner in a loop of a junction
   ChainsUnlike,           ///< edge of the open side: the other side of the blend is closed
   EdgeOnBothSides,        ///< edge: picked for both sides of a blend
   OneSideOnly,            ///< detail = "from" or "to": no edge picked for this side of a blend
@@ -57,6 +57,12 @@ enum class ErrorCode {
   SetbackNegative,        ///< value = the setback given
   SetbackWithoutFace,     ///< edge: to be set back, but no face lies beside it
   SetbackTooLarge,        ///< edge, face, value = mm: how far the face lets it go back
+  CornersDiffer,          ///< edge, value: corners of the first side of a blend, and of the other
+  PairOffChain,         ///< edge = vertex number, where: a pair's vertex joins no edges of its side
+  PairsCross,           ///< where, detail = "3=7": the pair is out of order with the others
+  AlignmentOutOfRange,  ///< value = the alignment given
+  AlignmentUnused,      ///< detail = "open" or "paired": why the sides have no start to move
+  SetbackPairs,  ///< pairs of vertices asked for together with a setback
   LayoutUnfit,            ///< detail = "quad", "star", ...: the loop does not suit the asked layout
   // numerics
   SystemSingular,  ///< the linear system has no unique solution

@@ -30,6 +30,7 @@ Result<NaturalStrip> NaturalStrip::make(const boundary::ChainPair& pair,
   Span span{std::move(asked.sides), std::move(target.sides), std::move(probe), std::move(*plan)};
   auto result = spanPlan(span, options.fill, progress);
   if (!result) return fail(result.error());
+  result->matches = span.plan.matches;
   NaturalStrip strip(std::move(span), options.fill, std::move(*result));
   if (const auto error = strip.turn()) return fail(*error);
   return strip;
@@ -44,6 +45,7 @@ std::optional<Error> NaturalStrip::turn() {
   if (!held) return held.error();
   auto turned = spanAgain(span_, result_.patches, *held, options_);
   if (!turned) return turned.error();
+  turned->matches = result_.matches;
   result_ = std::move(*turned);
   return std::nullopt;
 }
@@ -52,7 +54,9 @@ Result<FillResult> NaturalStrip::reaching(const Reach& reach) const {
   if (reach.isNatural()) return result_;
   const auto layout = layoutOf(span_.plan, result_.patches);
   const auto held = scaledRows({span_.plan.cut.loop, layout, result_.patches}, reach);
-  return spanAgain(span_, result_.patches, held, options_);
+  auto result = spanAgain(span_, result_.patches, held, options_);
+  if (result) result->matches = result_.matches;
+  return result;
 }
 
 }  // namespace fairing

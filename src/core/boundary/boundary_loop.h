@@ -42,9 +42,12 @@ struct BoundarySide {
 
 /// Where side i ends and side i+1 begins.
 struct Corner {
-  /// The two do not meet: the ends of a chain that a strip joins to another one (side_chain.h).
-  /// Then `angle` is that of the chain with itself where it is closed, 0 where it is open.
+  /// The two do not meet: the ends of an open chain that a strip joins to another one, or of one
+  /// closed strip (side_chain.h). Of an open chain `angle` is 0 there.
   bool apart = false;
+  /// The two faces beside it meet in an edge, or a chain without faces turns: what spans it may
+  /// have a crease from here on (side_chain.h).
+  bool crease = false;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double angle = 0.0;  ///< between the two sides, degrees in (0, 180)
   /// The angle the hole has here, degrees in (0, 360): beyond 180 at a re-entrant corner. Without a
@@ -68,14 +71,14 @@ struct BoundaryLoop {
   std::vector<BoundarySide> sides;
   std::vector<Corner> corners;  ///< corners[i] is at the end of sides[i]
   double diagonal = 0.0;        ///< largest distance between two points of the sides, mm
-  /// Positions of the sides that further closed chains begin with, ascending; empty = one chain.
+  /// Positions of the sides that further chains begin with, ascending; empty = one chain.
   std::vector<std::size_t> further;
 
   /// The position of the side that starts where another one ends, and of the one that ends where it
   /// starts.
   [[nodiscard]] std::size_t next(std::size_t side) const;
   [[nodiscard]] std::size_t previous(std::size_t side) const;
-  /// The closed chains: the position of the first side, and the one behind the last.
+  /// The chains: the position of the first side, and the one behind the last.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> chains() const;
 };
 

@@ -10,6 +10,8 @@ namespace {
 // Cuts closer than this to an edge's end are at its end.
 constexpr double kAtEnd = 1e-9;
 
+}  // namespace
+
 std::vector<Stretch> stretchesBetween(const BoundaryLoop& loop, LoopPlace from, LoopPlace to) {
   std::vector<Stretch> result;
   std::size_t edge = from.side;
@@ -23,8 +25,6 @@ std::vector<Stretch> stretchesBetween(const BoundaryLoop& loop, LoopPlace from, 
   if (to.t > kAtEnd) result.push_back({to.side, 0.0, to.t, 0.0, 1.0});
   return result;
 }
-
-}  // namespace
 
 Result<CutLoop> cutLoop(const BoundaryLoop& loop,
                         const std::vector<LoopPlace>& cuts,

@@ -7,7 +7,7 @@
 
 namespace fairing::boundary {
 
-/// A place on a loop: parameter t in [0, 1) of side `side`.
+/// A place on a loop: parameter t in [0, 1) of side `side`; 1 at the end of an open chain.
 struct LoopPlace {
   std::size_t side = 0;
   double t = 0.0;
@@ -19,6 +19,12 @@ struct Stretch {
   double from = 0.0, to = 1.0;
   double start = 0.0, end = 1.0;
 };
+
+/// The stretches of a chain of a loop from one place to another in its direction; all round where
+/// the two are one.
+[[nodiscard]] std::vector<Stretch> stretchesBetween(const BoundaryLoop& loop,
+                                                    LoopPlace from,
+                                                    LoopPlace to);
 
 /// A loop cut into new sides, each from one cut to the next.
 struct CutLoop {

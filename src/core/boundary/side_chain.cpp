@@ -10,6 +10,19 @@ namespace {
 
 // Neighbours that meet at a smaller angle (degrees; 180 = straight on) make a corner.
 constexpr double kStraightOn = 175.0;
+// Faces whose normals differ by more (degrees) meet in an edge. Closer ones count as one, as in
+// constraint/tangent_plane.cpp.
+constexpr double kSeparateNormals = 5.7;
+
+bool asksForNormals(const BoundarySide& side) {
+  return side.continuity != Continuity::G0 && side.ribbon.hasSupport();
+}
+
+bool isCrease(const BoundarySide& before, const BoundarySide& after, const Corner& corner) {
+  if (asksForNormals(before) && asksForNormals(after))
+    return !corner.normalsAgree(kSeparateNormals);
+  return !corner.isNearlyStraight();
+}
 
 // With the support normals the other way.
 Ribbon turned(Ribbon ribbon) {
@@ -29,14 +42,10 @@ std::optional<Error> addCorners(const SideChain& chain, BoundaryLoop& loop) {
     const bool isEnd = k + 1 == n;
     Corner corner;
     if (!isEnd || chain.closed) {
-      corner = cornerBetween(chain.sides[k], chain.sides[(k + 1) % n]);
+      corner = chainCorner(chain.sides[k], chain.sides[(k + 1) % n]);
       if (const auto open = checkMeeting(chain.sides[k], corner, loop.diagonal)) return open;
-      if (const auto turns = chainTurns(chain.sides[k], corner)) return turns;
     }
-    if (isEnd) {
-      corner.apart = true;
-      corner.gap = corner.normalMismatch = corner.twistMismatch = 0.0;
-    }
+    corner.apart = isEnd && !chain.closed;
     loop.corners.push_back(corner);
   }
   return std::nullopt;
@@ -47,6 +56,17 @@ std::optional<Error> addCorners(const SideChain& chain, BoundaryLoop& loop) {
 std::optional<Error> chainTurns(const BoundarySide& before, const Corner& corner) {
   if (corner.angle >= kStraightOn) return std::nullopt;
   return Error{ErrorCode::ChainTurns, before.edge, 0, corner.point, 180.0 - corner.angle};
+}
+
+Corner chainCorner(const BoundarySide& before, const BoundarySide& after) {
+  Corner corner = cornerBetween(before, after);
+  corner.crease = isCrease(before, after, corner);
+  if (corner.crease) corner.twistMismatch = 0.0;  // the sides lie on different patches
+  return corner;
+}
+
+bool isCut(const Corner& corner) {
+  return !corner.apart && (corner.crease || !corner.isNearlyStraight());
 }
 
 SideChain reversed(const SideChain& chain) {
@@ -76,6 +96,7 @@ Result<ChainPair> pairChains(const SideChain& first, const SideChain& second) {
   if (!loop) return fail(loop.error());
   for (const SideChain* chain : {&first, &other})
     if (const auto wrong = addCorners(*chain, *loop)) return fail(*wrong);
+  loop->further = {pair.firstCount};
   pair.sides = std::move(*loop);
   return pair;
 }

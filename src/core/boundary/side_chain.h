@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/boundary/boundary_loop.h"
+#include "core/boundary/chain_match.h"
 
 namespace fairing::boundary {
 
@@ -24,16 +25,23 @@ struct SideChain {
 
 /// Two chains that a strip is to join.
 struct ChainPair {
-  /// The sides of the first chain, then those of the second one, which runs against it. Corners
-  /// between the sides of one chain; at the ends of the chains they are `apart`.
+  /// The sides of the first chain, then those of the second one, which runs against it, as two
+  /// chains of a loop; at the ends of open ones the corners are `apart`.
   BoundaryLoop sides;
   std::size_t firstCount = 0;  ///< number of sides of the first chain
   bool closed = false;         ///< both chains are
+  ChainMatch match = {};       ///< which points belong together
 };
 
+/// The corner of a chain where one side ends and the next one starts, its crease told.
+[[nodiscard]] Corner chainCorner(const BoundarySide& before, const BoundarySide& after);
+
+/// Whether a strip needs a seam at a corner of a chain: it turns, or its faces do.
+[[nodiscard]] bool isCut(const Corner& corner);
+
 /// Two chains as a strip needs them: the second one is turned round where it would make the strip
-/// cross itself. Fails with ChainsUnlike (one is open, one closed), ChainTurns (a corner within a
-/// chain), and the codes of measureSides() and checkMeeting().
+/// cross itself. Fails with ChainsUnlike (one is open, one closed) and the codes of measureSides()
+/// and checkMeeting().
 [[nodiscard]] Result<ChainPair> pairChains(const SideChain& first, const SideChain& second);
 
 }  // namespace fairing::boundary

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include <array>
 #include <vector>
 
-#include "core/boundary/cut_loop.h"
+#include "core/base/result.h"
 #include "core/boundary/side_chain.h"
 
 namespace fairing::boundary {
@@ -12,17 +11,18 @@ namespace fairing::boundary {
 /// starts and their ends would be less twisted than one from start to end.
 [[nodiscard]] bool runsAlong(const SideChain& first, const SideChain& second);
 
-/// Where two closed chains of a pair start so that the strip between them is not twisted: the sum
-/// of the squared distances of points that belong together, by arc length, is least. The strip's
-/// own seam lies where the two are nearest to each other; where they are equally far all round, at
-/// the first chain's start.
-struct StripStarts {
+/// Places on either chain of a pair that belong together.
+struct StripCut {
   LoopPlace first, second;
 };
-[[nodiscard]] StripStarts matchClosed(const ChainPair& pair);
 
-/// The pair as two sides that run against each other: a chain each, at constant speed where it is
-/// made of several edges, is closed, or has more than `mostPoles` control points.
-[[nodiscard]] Result<CutLoop> cutPair(const ChainPair& pair, int mostPoles);
+/// Where the strip between two chains is to be cut, along the first chain: at every corner of
+/// either chain and at the pairs set, matched as the pair asks. Of open chains the first and the
+/// last cut are their ends. Closed chains without a corner have one cut, where a strip of one patch
+/// closes: that of the one pair set, or where the two are nearest to each other when the sum of the
+/// squared distances of points that belong together, by arc length, is least; where they are
+/// equally far all round, at the first chain's start.
+/// Fails with CornersDiffer, PairsCross, AlignmentOutOfRange or AlignmentUnused.
+[[nodiscard]] Result<std::vector<StripCut>> matchChains(const ChainPair& pair);
 
 }  // namespace fairing::boundary

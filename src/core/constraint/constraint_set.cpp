@@ -12,21 +12,28 @@ namespace {
 
 using Edges = std::array<std::optional<ConstrainedEdge>, 4>;
 
-using Ends = ConstrainedEdge::Ends;
+using End = ConstrainedEdge::End;
 
 Edges constrainedEdges(const boundary::BoundaryLoop& loop,
                        const layout::LayoutPatch& patch,
-                       Ends ends) {
+                       bool closed) {
+  const auto endAt = [&](std::size_t side) {
+    if (closed) return End::Closed;
+    const boundary::Corner& corner = loop.corners[side];
+    return corner.apart ? End::Free : corner.crease ? End::Crease : End::Held;
+  };
   Edges edges;
   for (std::size_t k = 0; k < 4; ++k) {
     if (!patch.edges[k]) continue;
     const auto which = static_cast<layout::PatchEdge>(k);
-    edges[k] = ConstrainedEdge{&loop.sides[static_cast<std::size_t>(patch.edges[k]->side)],
+    const auto side = static_cast<std::size_t>(patch.edges[k]->side);
+    edges[k] = ConstrainedEdge{&loop.sides[side],
                                &*patch.edges[k],
                                layout::edgeKnots(patch, which),
                                layout::edgePoints(patch, which, 0),
                                layout::edgePoints(patch, which, 1),
-                               ends};
+                               endAt(loop.previous(side)),
+                               endAt(side)};
   }
   return edges;
 }
@@ -71,11 +78,9 @@ Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
   ConstraintSet set;
   set.fixed.assign(static_cast<std::size_t>(layout.pointCount), 0);
   set.values.setZero(layout.pointCount, 3);
-  const bool isStrip = layout.kind == LayoutKind::Strip;
-  const Ends ends = !isStrip ? Ends::Held : layout.closed ? Ends::Closed : Ends::Free;
   std::vector<Edges> patches;
   for (const layout::LayoutPatch& patch : layout.patches)
-    patches.push_back(constrainedEdges(loop, patch, ends));
+    patches.push_back(constrainedEdges(loop, patch, layout.closed));
   for (const Edges& edges : patches)
     for (const auto& edge : edges)
       if (edge) fixOuterRow(*edge, set);

@@ -116,6 +116,14 @@ class Collector {
   solver::ConstraintBlock block_;
 };
 
+// How many poles next to an end have no row of their own: those of a corner, where `other` takes
+// part, and at the start of a smooth seam, whose patches share them.
+int leftOut(ConstrainedEdge::End end, bool atSeam, bool sharedFromStart, bool otherIsCurved) {
+  if (end != ConstrainedEdge::End::Held) return 0;
+  if (atSeam) return sharedFromStart ? 2 : 0;
+  return otherIsCurved ? 3 : 2;
+}
+
 }  // namespace
 
 std::optional<solver::ConstraintBlock> curvatureRows(
@@ -136,20 +144,16 @@ std::optional<solver::ConstraintBlock> curvatureRows(
     for (std::size_t k = 0; k < 4; ++k) {
       if (!curved[k]) continue;
       const auto &next = curved[(k + 1) % 4], &previous = curved[(k + 3) % 4];
-      const int n = curved[k]->edge->knots.poleCount();
-      if (curved[k]->edge->ends != ConstrainedEdge::Ends::Held) {
-        for (const Collocation& at : collocation(*curved[k]->edge)) collector.add(*curved[k], at);
+      const ConstrainedEdge& edge = *curved[k]->edge;
+      if (edge.start == ConstrainedEdge::End::Closed) {
+        for (const Collocation& at : collocation(edge)) collector.add(*curved[k], at);
         continue;
       }
+      if (next && edge.end == ConstrainedEdge::End::Held) collector.addCorner(*curved[k], *next);
       const bool startsAtSeam = !patches[p][(k + 3) % 4], endsAtSeam = !patches[p][(k + 1) % 4];
-      if (endsAtSeam) {
-        collector.add(*curved[k], n - 1);
-        collector.add(*curved[k], n - 2);
-      }
-      if (next) collector.addCorner(*curved[k], *next);
-      const bool cornerBefore = !startsAtSeam && previous, cornerAfter = !endsAtSeam && next;
-      for (int i = cornerBefore ? 3 : 2; i < (cornerAfter ? n - 3 : n - 2); ++i)
-        collector.add(*curved[k], i);
+      const int first = leftOut(edge.start, startsAtSeam, true, previous.has_value());
+      const int last = leftOut(edge.end, endsAtSeam, false, next.has_value());
+      for (int i = first; i < edge.knots.poleCount() - last; ++i) collector.add(*curved[k], i);
     }
   }
   return std::move(collector).take();

@@ -114,7 +114,8 @@ solver::TieBlock between(const SeamRows& rows) {
 
 std::vector<solver::TieBlock> tieSeams(const layout::PatchLayout& layout) {
   std::vector<SeamRows> seams;
-  for (const Seam& seam : layout.seams) seams.push_back(rowsOf(layout, seam));
+  for (const Seam& seam : layout.seams)
+    if (!seam.crease) seams.push_back(rowsOf(layout, seam));
   std::map<int, solver::TieBlock> vertices;
   for (const SeamRows& rows : seams)
     for (std::size_t k = 0; k < 2; ++k)

@@ -7,7 +7,7 @@
 
 namespace fairing::constraint {
 
-/// Patches meet with one tangent plane along every seam:
+/// Patches meet with one tangent plane along every seam that is no crease:
 ///   first(t) D1(t) + second(t) D2(t) = along(t) R_t(t)          (Seam::frame)
 /// met with its derivative at both ends, at Greville abscissae between. First a block per inner
 /// vertex, for all seams that end there; then one per seam end on the loop; then one per seam.

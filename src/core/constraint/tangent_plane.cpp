@@ -209,10 +209,11 @@ std::optional<solver::ConstraintBlock> splitTangency(const ConstrainedEdge& befo
 }
 
 std::vector<Collocation> collocation(const ConstrainedEdge& edge) {
-  if (edge.ends == ConstrainedEdge::Ends::Closed) return periodicCollocation(edge.knots);
-  const int leftOut = edge.ends == ConstrainedEdge::Ends::Held ? 2 : 0;
+  using End = ConstrainedEdge::End;
+  if (edge.start == End::Closed) return periodicCollocation(edge.knots);
+  const auto leftOut = [](End end) { return end == End::Free ? 0 : 2; };
   std::vector<Collocation> places;
-  for (int i = leftOut; i < edge.knots.poleCount() - leftOut; ++i)
+  for (int i = leftOut(edge.start); i < edge.knots.poleCount() - leftOut(edge.end); ++i)
     places.push_back({i, edge.knots.greville(i)});
   return places;
 }

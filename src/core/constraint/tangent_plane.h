@@ -10,14 +10,14 @@ namespace fairing::constraint {
 /// A patch edge that follows a side, with what is known of it: everything along the border's
 /// direction.
 struct ConstrainedEdge {
-  /// What its ends are: corners or seam ends, which have blocks of their own; nothing at all; or
-  /// one and the same place.
-  enum class Ends { Held, Free, Closed };
+  /// What an end is: a corner or a seam's end, which have blocks of their own; the end of a seam
+  /// that is a crease; nothing at all; or one and the same place as the other end.
+  enum class End { Held, Crease, Free, Closed };
   const boundary::BoundarySide* side = nullptr;
   const layout::SideUse* use = nullptr;
   spline::KnotVector knots;
   std::vector<int> outer, inner;  ///< point numbers of the row on the edge and of the next one
-  Ends ends = Ends::Held;
+  End start = End::Held, end = End::Held;
 
   [[nodiscard]] bool isTangent() const {
     return side->continuity != Continuity::G0 && side->ribbon.hasSupport();

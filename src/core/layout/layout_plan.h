@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <array>
+
 #include "core/boundary/cut_loop.h"
 #include "core/layout/layout_kind.h"
 #include "core/layout/quad_mesh.h"
 
 namespace fairing::layout {
+
+/// Points on either side of a blend that belong together.
+using MatchedPoints = std::array<Eigen::Vector3d, 2>;
 
 /// How a loop is to be spanned: cut into sides that patch edges cover whole, and divided into
 /// quads. Vertex j of the mesh is the start of side j; inner vertices follow.
@@ -12,7 +17,8 @@ struct LayoutPlan {
   LayoutKind kind = LayoutKind::Quad;
   boundary::CutLoop cut;
   QuadMesh mesh;
-  bool closed = false;  ///< a strip whose East and West edges are one (both chains are closed)
+  bool closed = false;  ///< a strip of one patch whose East and West edges are one
+  std::vector<MatchedPoints> matches = {};  ///< where a strip is cut, or starts
 };
 
 }  // namespace fairing::layout

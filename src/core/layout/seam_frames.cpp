@@ -40,6 +40,12 @@ SeamFrame innerFrame(const QuadMesh& mesh, const QuadSeam& seam, bool atEnd) {
                  atEnd ? Vector2d(-along) : along);
 }
 
+// The corner of the loop at a vertex of the mesh.
+const boundary::Corner& cornerAt(const LayoutPlan& plan, int vertex) {
+  const auto& loop = plan.cut.loop;
+  return loop.corners[loop.previous(static_cast<std::size_t>(vertex))];
+}
+
 // The loop passes the vertex from `before` to `after`, the hole to its left. Looking out, the patch
 // on the left lies along `after`; looking in, along `before`.
 SeamFrame borderFrame(const LayoutPlan& plan, const QuadSeam& seam, bool atEnd) {
@@ -75,6 +81,8 @@ Seam seamOf(const LayoutPlan& plan, const QuadSeam& from) {
     seam.inside[k] = plan.mesh.inside[static_cast<std::size_t>(seam.vertices[k])];
     seam.frames[k] =
         seam.inside[k] ? innerFrame(plan.mesh, from, k == 1) : borderFrame(plan, from, k == 1);
+    if (!seam.inside[k] && plan.kind == LayoutKind::Strip)
+      seam.crease = seam.crease || cornerAt(plan, seam.vertices[k]).crease;
   }
   return seam;
 }

@@ -1,37 +1,89 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/layout/strip.h"
 
-#include "core/boundary/strip_match.h"
+#include "core/boundary/cut_pair.h"
 
 namespace fairing::layout {
 namespace {
+
+using boundary::BoundaryLoop;
+using Eigen::Vector3d;
 
 // Chains with more control points are not taken over.
 constexpr int kMostPoles = 48;
 constexpr int kSamples = 32;
 
-// Mean distance of the points that belong together.
-double meanHeight(const boundary::BoundaryLoop& sides) {
+// Mean distance of the points that belong together, on the patch between two sides.
+double meanHeight(const boundary::BoundarySide& south, const boundary::BoundarySide& north) {
   double sum = 0.0;
   for (int k = 0; k < kSamples; ++k) {
     const double t = (k + 0.5) / kSamples;
-    sum +=
-        (sides.sides[0].ribbon.curve(t).point - sides.sides[1].ribbon.curve(1.0 - t).point).norm();
+    sum += (south.ribbon.curve(t).point - north.ribbon.curve(1.0 - t).point).norm();
   }
   return sum / kSamples;
+}
+
+Vector3d startOf(const BoundaryLoop& loop, int side) {
+  return loop.sides[static_cast<std::size_t>(side)].ribbon.curve(0.0).point;
+}
+
+// Patch k lies between side k and side 2 n - 1 - k. Vertex j is the start of side j; the ends of
+// open chains follow.
+QuadMesh rowOfQuads(int n, bool closed) {
+  QuadMesh mesh;
+  const int firstEnd = closed ? 0 : 2 * n, secondEnd = closed ? n : 2 * n + 1;
+  for (int k = 0; k < n; ++k) {
+    const int south = k, north = 2 * n - 1 - k;
+    mesh.quads.push_back(
+        {{south, k + 1 < n ? south + 1 : firstEnd, north, k > 0 ? north + 1 : secondEnd},
+         {south, -1, north, -1}});
+  }
+  return mesh;
+}
+
+// The picture of a row of quads: seams as long as the way between their ends.
+void drawRow(const BoundaryLoop& loop, bool closed, QuadMesh& mesh) {
+  mesh.vertices.assign(loop.sides.size() + (closed ? 0 : 2), Eigen::Vector2d::Zero());
+  mesh.inside.assign(mesh.vertices.size(), 0);
+  const int n = static_cast<int>(mesh.quads.size());
+  double width = 0.0;
+  for (const Quad& quad : mesh.quads) {
+    const auto south = static_cast<std::size_t>(quad.sides[0]);
+    const auto north = static_cast<std::size_t>(quad.sides[2]);
+    const auto at = [&](int corner) -> Eigen::Vector2d& {
+      return mesh
+          .vertices[static_cast<std::size_t>(quad.vertices[static_cast<std::size_t>(corner)])];
+    };
+    const Vector3d end = loop.sides[north].ribbon.curve(1.0).point;
+    const double height = n == 1 ? meanHeight(loop.sides[south], loop.sides[north])
+                                 : (startOf(loop, quad.sides[0]) - end).norm();
+    at(0) = {width, 0.0};
+    at(3) = {width, height};
+    width += 0.5 * (loop.sides[south].length + loop.sides[north].length);
+    if (closed) continue;
+    const Vector3d last = loop.sides[south].ribbon.curve(1.0).point;
+    at(1) = {width, 0.0};
+    at(2) = {width, n == 1 ? height : (last - startOf(loop, quad.sides[2])).norm()};
+  }
 }
 
 }  // namespace
 
 Result<LayoutPlan> stripPlan(const boundary::ChainPair& pair) {
-  auto cut = boundary::cutPair(pair, kMostPoles);
+  const auto cuts = boundary::matchChains(pair);
+  if (!cuts) return fail(cuts.error());
+  auto cut = boundary::cutPair(pair, *cuts, kMostPoles);
   if (!cut) return fail(cut.error());
-  const double width = 0.5 * (cut->loop.sides[0].length + cut->loop.sides[1].length);
-  const double height = meanHeight(cut->loop);
-  LayoutPlan plan{LayoutKind::Strip, std::move(*cut), {}, pair.closed};
-  plan.mesh.quads = {{{0, 1, 2, 3}, {0, -1, 1, -1}}};
-  plan.mesh.vertices = {{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}};
-  plan.mesh.inside.assign(4, 0);
+  const int n = static_cast<int>(cut->loop.sides.size()) / 2;
+  const bool isWhole = pair.closed && n == 1;
+  LayoutPlan plan{LayoutKind::Strip, std::move(*cut), {}, isWhole};
+  plan.mesh = rowOfQuads(n, pair.closed && !isWhole);
+  drawRow(plan.cut.loop, pair.closed && !isWhole, plan.mesh);
+  const auto pointAt = [&](const boundary::LoopPlace& place) {
+    return pair.sides.sides[place.side].ribbon.curve(place.t).point;
+  };
+  for (const boundary::StripCut& c : *cuts)
+    plan.matches.push_back({pointAt(c.first), pointAt(c.second)});
   return plan;
 }
 

@@ -6,9 +6,10 @@
 
 namespace fairing::layout {
 
-/// One patch between two chains: the first along South, the second along North. East and West are
-/// free where the chains are open, one and the same where they are closed. Side 0 of the cut is the
-/// first chain, side 1 the second. Fails with the codes of cutPair().
+/// Patches side by side between two chains: the first along South, the second along North, cut
+/// where matchChains() says, sides as in cutPair(). East and West are seams of neighbours, free at
+/// the ends of open chains; of one patch between closed chains they are one and the same. Fails
+/// with the codes of matchChains() and cutPair().
 [[nodiscard]] Result<LayoutPlan> stripPlan(const boundary::ChainPair& pair);
 
 }  // namespace fairing::layout

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <array>
 #include <vector>
 
 #include "core/analysis/continuity_report.h"
@@ -16,6 +17,9 @@ struct FillResult {
   std::vector<bool> reversed;  ///< patch i's normal u x v points against the support normals
   std::vector<Trim> trims;     ///< the border of patch i; empty: no patch is trimmed
   LayoutKind layout = LayoutKind::Quad;
+  /// Of a blend: points of the first and the second side that belong together, where it is cut or
+  /// starts.
+  std::vector<std::array<Eigen::Vector3d, 2>> matches;
   analysis::FillReport report;
   solver::SolveSummary summary;
 };

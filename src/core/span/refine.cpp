@@ -80,10 +80,10 @@ std::set<double> gradedTo(bool start, const spline::KnotVector& knots, int halvi
 
 // Whether the twists at the start (or end) of a side disagree.
 bool twistsDisagree(const analysis::FillReport& report, std::size_t side, bool start) {
-  const int edge = report.sides[side].edge;
-  return std::any_of(report.corners.begin(), report.corners.end(), [&](const auto& corner) {
-    return (start ? corner.edgeAfter : corner.edgeBefore) == edge && !corner.twistsAgree;
-  });
+  return std::any_of(
+      report.corners.begin(), report.corners.end(), [&](const analysis::CornerReport& corner) {
+        return (start ? corner.sideAfter : corner.sideBefore) == side && !corner.twistsAgree;
+      });
 }
 
 // The knots along the stretch of a side that runs on one patch edge, in the patch's direction
@@ -116,6 +116,16 @@ std::set<double> wishedAlong(const analysis::SideTrace& trace,
       wished.merge(gradedTo(start == rises, knots, halvingsFor(worst)));
   }
   return wished;
+}
+
+// Where a seam is to be refined: at its worst place; a strip's, which run all the way across it,
+// wherever they are too wide.
+std::vector<double> wideOpen(const analysis::SeamReport& seam, LayoutKind kind, double limit) {
+  if (kind != LayoutKind::Strip) return {seam.angle.parameter};
+  std::vector<double> places;
+  for (const analysis::AnglePlace& place : seam.angleCurve)
+    if (place.angle > limit) places.push_back(place.t);
+  return places;
 }
 
 }  // namespace
@@ -180,7 +190,7 @@ std::vector<analysis::SeamTraces> seamTraces(const layout::PatchLayout& layout) 
         edgeEnds(layout.patches[static_cast<std::size_t>(seam.first)], seam.firstEdge);
     const EdgeEnds b =
         edgeEnds(layout.patches[static_cast<std::size_t>(seam.second)], seam.secondEdge);
-    traces.push_back({{seam.first, a.start, a.end}, {seam.second, b.end, b.start}});
+    traces.push_back({{seam.first, a.start, a.end}, {seam.second, b.end, b.start}, seam.crease});
   }
   return traces;
 }
@@ -199,15 +209,16 @@ std::vector<KnotWish> wishedKnots(const layout::LayoutPlan& plan,
   }
   const auto seams = seamTraces(layout);
   for (std::size_t k = 0; k < seams.size(); ++k) {
-    if (report.seams[k].angle.max <= aim * report.angleLimit) continue;
+    if (seams[k].crease || report.seams[k].angle.max <= aim * report.angleLimit) continue;
     const analysis::SeamTrace& trace = seams[k].first;
     const auto p = static_cast<std::size_t>(trace.patch);
-    const Eigen::Vector2d at =
-        trace.start + report.seams[k].angle.parameter * (trace.end - trace.start);
-    if (layout::directionOf(layout.seams[k].firstEdge) == 0)
-      u[p].merge(middlesAt(layout.patches[p].u, at[0]));
-    else
-      v[p].merge(middlesAt(layout.patches[p].v, at[1]));
+    for (const double t : wideOpen(report.seams[k], layout.kind, aim * report.angleLimit)) {
+      const Eigen::Vector2d at = trace.start + t * (trace.end - trace.start);
+      if (layout::directionOf(layout.seams[k].firstEdge) == 0)
+        u[p].merge(middlesAt(layout.patches[p].u, at[0]));
+      else
+        v[p].merge(middlesAt(layout.patches[p].v, at[1]));
+    }
   }
   for (std::size_t p = 0; p < wishes.size(); ++p) {
     wishes[p].u.assign(u[p].begin(), u[p].end());

@@ -179,7 +179,12 @@ TEST(Notes, AreOneSentenceEachOfTheirOwn) {
   for (const NoteCode code : {NoteCode::EdgeAbsorbed,
                               NoteCode::SupportSingular,
                               NoteCode::CurvatureUnknown,
-                              NoteCode::LoopUnfit}) {
+                              NoteCode::LoopUnfit,
+                              NoteCode::StripCreased,
+                              NoteCode::StripFolds,
+                              NoteCode::CutsItself,
+                              NoteCode::CutsFace,
+                              NoteCode::BasesOverlap}) {
     const std::string text = sentence(analysis::Note{code, 17, {1.5, -2.0, 0.0}, 3.0});
     EXPECT_THAT(text, ::testing::EndsWith("."));
     EXPECT_TRUE(all.insert(text).second) << text;

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "core/analysis/triangle_crossing.h"
+#include "core/spline/bspline_surface.h"
+
+namespace fairing::analysis {
+
+/// Triangles on patches of a row, about 2 `cells` each, as many along u and v on each of them, as
+/// square as their domains allow. Points of borders that coincide, within 1e-7 of the patches'
+/// extent, are one: neighbours share those of their seam.
+[[nodiscard]] TriangleMesh meshOf(const std::vector<spline::BsplineSurface>& patches,
+                                  int cells = 1600);
+
+}  // namespace fairing::analysis
