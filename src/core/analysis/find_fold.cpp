@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fairing::analysis {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr int kFewest = 12;  // samples along u and v
 
 struct Sample {
   Vector3d point, normal;  // the normal as long as its cell is large
@@ -61,7 +64,10 @@ class Grid {
 
 }  // namespace
 
-std::optional<Fold> findFold(const std::vector<spline::BsplineSurface>& patches, int divisions) {
+std::optional<Fold> findFold(const std::vector<spline::BsplineSurface>& patches, int samples) {
+  if (patches.empty()) return std::nullopt;
+  const int divisions =
+      std::max(kFewest, static_cast<int>(std::sqrt(samples / static_cast<double>(patches.size()))));
   double area = 0.0, turned = 0.0;
   Vector3d middle = Vector3d::Zero();
   std::vector<Vector3d> points;

@@ -13,10 +13,10 @@ struct Fold {
   double share = 0.0;     ///< of the patches' area, 0 to 1
 };
 
-/// The part of patches whose normal is against that of the larger part of its own patch, by samples
-/// `divisions` a direction: neighbours' normals that differ by more than 90 degrees lie on either
-/// side of a fold.
+/// The part of patches whose normal is against that of the larger part of its own patch, by about
+/// `samples` normals in all: neighbours that differ by more than 90 degrees lie on either side of a
+/// fold.
 [[nodiscard]] std::optional<Fold> findFold(const std::vector<spline::BsplineSurface>& patches,
-                                           int divisions = 40);
+                                           int samples = 1600);
 
 }  // namespace fairing::analysis

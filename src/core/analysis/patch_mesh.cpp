@@ -70,8 +70,9 @@ TriangleMesh meshOf(const std::vector<spline::BsplineSurface>& patches, int cell
   double width = 0.0, height = 0.0;
   for (const spline::BsplineSurface& patch : patches)
     width += widthOf(patch.u), height += widthOf(patch.v);
-  const int nu = static_cast<int>(std::clamp(std::sqrt(cells * width / height), kFewest, kMost));
-  const int nv = std::max(static_cast<int>(kFewest), cells / nu);
+  const int each = cells / std::max(1, static_cast<int>(patches.size()));
+  const int nu = static_cast<int>(std::clamp(std::sqrt(each * width / height), kFewest, kMost));
+  const int nv = std::max(static_cast<int>(kFewest), each / nu);
   Mesher mesher;
   for (const spline::BsplineSurface& patch : patches) mesher.add(patch, nu, nv);
   return std::move(mesher).finish();

@@ -92,7 +92,7 @@ bool TriangleTree::areNeighbours(int a, int b) const {
   });
 }
 
-// Every pair of triangles in leaves whose boxes meet.
+// Every pair of triangles whose boxes meet.
 template <class Visit>
 void TriangleTree::eachPair(const TriangleTree& a, const TriangleTree& b, const Visit& visit) {
   if (a.nodes_.empty() || b.nodes_.empty()) return;
@@ -103,10 +103,15 @@ void TriangleTree::eachPair(const TriangleTree& a, const TriangleTree& b, const 
     const Node &m = a.nodes_[static_cast<std::size_t>(i)],
                &n = b.nodes_[static_cast<std::size_t>(j)];
     if (!m.box.intersects(n.box)) continue;
+    if (&m == &n && !m.isLeaf()) {  // of one tree: every pair once
+      waiting.insert(waiting.end(), {{m.left, m.left}, {m.left, m.right}, {m.right, m.right}});
+      continue;
+    }
     if (m.isLeaf() && n.isLeaf()) {
       for (int s = m.first; s < m.first + m.count; ++s)
         for (int t = n.first; t < n.first + n.count; ++t)
-          visit(a.order_[static_cast<std::size_t>(s)], b.order_[static_cast<std::size_t>(t)]);
+          if (a.boxAt(s).intersects(b.boxAt(t)) && (&m != &n || s < t))
+            visit(a.order_[static_cast<std::size_t>(s)], b.order_[static_cast<std::size_t>(t)]);
     } else if (n.isLeaf() || (!m.isLeaf() && m.count >= n.count)) {
       waiting.emplace_back(m.left, j);
       waiting.emplace_back(m.right, j);
@@ -130,7 +135,9 @@ std::vector<Vector3d> TriangleTree::crossings(const TriangleTree& other, Touches
 std::vector<Vector3d> TriangleTree::ownCrossings() const {
   std::vector<Vector3d> found;
   eachPair(*this, *this, [&](int s, int t) {
-    if (s != t && !areNeighbours(s, t)) addPiercings(corners(s), corners(t), Touches::Count, found);
+    if (areNeighbours(s, t)) return;
+    addPiercings(corners(s), corners(t), Touches::Count, found);
+    addPiercings(corners(t), corners(s), Touches::Count, found);
   });
   return found;
 }

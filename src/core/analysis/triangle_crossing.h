@@ -38,6 +38,9 @@ class TriangleTree {
   };
   int build(int first, int count);
   [[nodiscard]] std::array<Eigen::Vector3d, 3> corners(int triangle) const;
+  [[nodiscard]] const Eigen::AlignedBox3d& boxAt(int place) const {  // in order_
+    return boxes_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
+  }
   [[nodiscard]] bool areNeighbours(int a, int b) const;
   template <class Visit>
   static void eachPair(const TriangleTree& a, const TriangleTree& b, const Visit& visit);
