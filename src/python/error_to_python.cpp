@@ -108,6 +108,8 @@ const char* name(ErrorCode code) {
       return "SetbackWithoutFace";
     case ErrorCode::SetbackTooLarge:
       return "SetbackTooLarge";
+    case ErrorCode::SetbackPairs:
+      return "SetbackPairs";
     case ErrorCode::LayoutUnfit:
       return "LayoutUnfit";
     case ErrorCode::EdgeNotInLoop:

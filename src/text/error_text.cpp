@@ -248,6 +248,10 @@ std::string departureSentence(const Error& e) {
       return fmt::format("The setback must be a length of zero or more, not {}.", number(e.value));
     case ErrorCode::SetbackWithoutFace:
       return edge(e) + " has no face beside it, so the blend cannot be set back from it.";
+    case ErrorCode::SetbackPairs:
+      return "A blend that is set back has no vertices of its own to pair: leave out the pairs or "
+             "the "
+             "setback.";
     default:
       return fmt::format("Edge {} cannot be set back as far: face {} ends after {}{}.",
                          e.edge,
@@ -348,6 +352,7 @@ std::string sentence(const Error& error) {
     case ErrorCode::SetbackNegative:
     case ErrorCode::SetbackWithoutFace:
     case ErrorCode::SetbackTooLarge:
+    case ErrorCode::SetbackPairs:
       return departureSentence(error);
     case ErrorCode::FileUnreadable:
     case ErrorCode::FileNotAShape:

@@ -62,8 +62,8 @@ enum class ErrorCode {
   PairsCross,           ///< where, detail = "3=7": the pair is out of order with the others
   AlignmentOutOfRange,  ///< value = the alignment given
   AlignmentUnused,      ///< detail = "open" or "paired": why the sides have no start to move
-  SetbackPairs,  ///< pairs of vertices asked for together with a setback
-  LayoutUnfit,            ///< detail = "quad", "star", ...: the loop does not suit the asked layout
+  SetbackPairs,         ///< pairs of vertices asked for together with a setback
+  LayoutUnfit,          ///< detail = "quad", "star", ...: the loop does not suit the asked layout
   // numerics
   SystemSingular,  ///< the linear system has no unique solution
   NotFinite,       ///< a NaN or an infinity came in or out; edge if known
