@@ -41,7 +41,7 @@ ShapeFill blended(const Pipe& a, const Pipe& b, double alignment = 0.0) {
   picks.alignment = alignment;
   const auto blend = blendShape(index, picks, {}, ResultMode::Patches);
   EXPECT_TRUE(blend.has_value()) << (blend ? 0 : int(blend.error().code));
-  return blend ? *blend : ShapeFill{};
+  return blend ? ShapeFill(*blend) : ShapeFill{};
 }
 
 std::vector<Note> notes(const ShapeFill& blend, NoteCode code) {

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/blend/arms.h"
 #include "occt/from_occt.h"
 #include "occt/shapes.h"
 
@@ -277,7 +278,7 @@ TEST(BlendShape, AKeptBlendReachesAsOneThatIsMadeAnew) {
 
 TEST(BlendShape, HasArmsAlongTheFacesItLeaves) {
   const ShapeFill blend = blended(coaxialPipes(), coaxialPicks());
-  const auto arms = armsOf(blend.fill.patches.front());
+  const auto arms = armsOf(blend.fill.patches);
   const std::array<double, 2> radii{5.0, 9.0}, heights{-8.0, 8.0};
   for (const std::size_t k : {0U, 1U}) {
     const Vector3d& point = arms[k].point;

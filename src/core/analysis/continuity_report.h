@@ -68,7 +68,7 @@ struct SeamReport {
   Deviation angle;      ///< between the normals, degrees
   Deviation curvature;  ///< relative difference of the normal curvatures across the seam, 0 to 1
   bool crease = false;  ///< meant to be met in position only: its angle is no miss
-  std::vector<AnglePlace> angleCurve;  ///< ascending, over the seam's parameter
+  std::vector<AnglePlace> angleCurve = {};  ///< ascending, over the seam's parameter
 };
 
 /// A point or curve the patches were to pass through.

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/analysis/find_fold.h"
 #include "core/analysis/patch_mesh.h"
 
@@ -63,8 +66,7 @@ TEST(TriangleCrossing, OfALoopedSheetIsItsDoubleLine) {
 
 TEST(PatchMesh, NeighboursShareThePointsOfTheirSeam) {
   const auto left = surfaceOf([](double u, double v) { return Vector3d(u, v, u * v); });
-  const auto right =
-      surfaceOf([](double u, double v) { return Vector3d(1.0, v, v) + u * Vector3d(0, 0, 1); });
+  const auto right = surfaceOf([](double u, double v) { return Vector3d(1.0, v, v + u); });
   EXPECT_TRUE(TriangleTree(meshOf({left, right})).ownCrossings().empty());
 }
 
