@@ -41,7 +41,13 @@ class Fill:
     def within_tolerance(self) -> bool: ...
 
 class Blend(Fill):
-    def reaching(self, from_reach: float, to_reach: float) -> Blend: ...
+    def reaching(
+        self,
+        from_reach: float,
+        to_reach: float,
+        from_reach_end: Optional[float] = None,
+        to_reach_end: Optional[float] = None,
+    ) -> Blend: ...
     @property
     def arms(self) -> list[tuple[tuple[float, float, float], tuple[float, float, float]]]: ...
 
