@@ -56,7 +56,7 @@ def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
 
 
 def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: Iterable[subelements.Pick], *,
-          continuity: str = "G1", edge_continuity: Optional[Mapping[Any, str]] = None,
+          continuity: str = "G1", edge_continuity: Optional[Mapping[Any, str]] = None, pairs: Iterable[Any] = (),
           **options) -> tuple[Part.Shape, dict]:
     """Joins two chains of free edges of a shape by one strip. Returns the new face and the report on it.
 
@@ -64,15 +64,15 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
     to_edges         edges it ends at; both chains are open, or both are closed
     continuity       "G2" meets the faces beside the edges in curvature, "G1" tangentially, "G0" only touches them
     edge_continuity  edges that differ, {"Edge7": "G0"}
-    options          from_reach, to_reach (above 0: how far the strip goes on before it turns away, 1 = what the energy
-                     likes best), from_reach_end, to_reach_end (at the other end of an open side), from_departure,
-                     to_departure ("free", "perpendicular" to the edge, or "iso": along the face's curves), from_flip,
-                     to_flip (leave over the face), from_setback, to_setback (mm into the faces), energy, gap_tolerance
-                     (mm), angle_tolerance (degrees), degree, max_poles, result
-                     ("patches", "shell" or "base"): see blend_request.BlendRequest
+    pairs            vertices of both sides that belong together, [("Vertex3", "Vertex7")]
+    options          of either side, with from_ or to_ in front: reach (above 0: how far the strip goes on before it
+                     turns away, 1 = what the energy likes best), reach_end (where it differs at the end of an open
+                     side), departure ("free", "perpendicular" or "iso"), flip, setback (mm); match ("auto", "length" or
+                     "corners"), alignment (-0.5 to 0.5), energy, gap_tolerance (mm), angle_tolerance (degrees), degree,
+                     max_poles, result ("patches", "shell" or "base"): see blend_request.BlendRequest
     Raises FairingError with one sentence where that cannot be done.
     """
-    request = BlendRequest.of(from_edges, to_edges, edge_continuity, continuity=continuity, **options)
+    request = BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, continuity=continuity, **options)
     done = request.solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
 

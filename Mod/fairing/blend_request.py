@@ -7,7 +7,9 @@ import dataclasses
 from typing import Any, Iterable, Mapping, Optional
 
 from . import native, subelements
-from .choices import SOLVED, Choices, by_edge
+from .choices import DEPARTURES, MATCHES, SOLVED, Choices, by_edge
+
+NATIVE_NAMES = {"gap_tolerance": "tolerance", "angle_tolerance": "angle"}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -20,14 +22,17 @@ class BlendRequest:
     edge_continuity: tuple[tuple[int, str], ...] = ()  # only the edges that differ from `continuity`
     from_reach: float = 1.0  # above 0: how far the strip goes on before it turns away; 1: what the energy likes best
     to_reach: float = 1.0
-    from_reach_end: Optional[float] = None  # of an open side: the reach grows to it linearly; None: the same
+    from_reach_end: Optional[float] = None  # at the end of an open side, linear between; None: as at its start
     to_reach_end: Optional[float] = None
-    from_departure: str = "free"  # the strip leaves "free", "perpendicular" to the edge, or along "iso" curves
-    to_departure: str = "free"
-    from_flip: bool = False  # leaves that side the other way, over its face
+    from_departure: str = DEPARTURES[0]  # direction in which the strip leaves the edges
+    to_departure: str = DEPARTURES[0]
+    from_flip: bool = False  # leave that side the other way, over its face
     to_flip: bool = False
-    from_setback: float = 0.0  # mm into the faces of that side, which are trimmed back to there
+    from_setback: float = 0.0  # mm, how far inside the faces the strip starts
     to_setback: float = 0.0
+    match: str = MATCHES[0]  # which points of the sides belong together
+    alignment: float = 0.0  # -0.5 to 0.5, turns closed sides against each other
+    pairs: tuple[tuple[int, int], ...] = ()  # vertices of both sides that belong together
     energy: str = Choices.energy
     gap_tolerance: Optional[float] = None  # mm; None: a millionth of the diagonal of both chains
     angle_tolerance: float = Choices.angle_tolerance  # degrees
@@ -37,22 +42,20 @@ class BlendRequest:
 
     @staticmethod
     def of(from_edges: Iterable[subelements.Pick], to_edges: Iterable[subelements.Pick],
-           edge_continuity: Optional[Mapping[Any, str]] = None, **options) -> "BlendRequest":
-        """From names such as "Edge7" (or edge numbers) and the other members by name. Raises ValueError with a name
-        that is no edge's."""
+           edge_continuity: Optional[Mapping[Any, str]] = None, pairs: Iterable[Any] = (),
+           **options) -> "BlendRequest":
+        """From names such as "Edge7" (or edge numbers), pairs such as ("Vertex3", "Vertex7"), and the other members by
+        name. Raises ValueError with a name that is no edge's, or no vertex's."""
         return BlendRequest(from_edges=subelements.only_edges(from_edges), to_edges=subelements.only_edges(to_edges),
-                            edge_continuity=by_edge(edge_continuity), **options)
+                            edge_continuity=by_edge(edge_continuity),
+                            pairs=tuple(map(subelements.vertex_pair, pairs)), **options)
 
     def arguments(self) -> dict[str, Any]:
         """Keyword arguments of the native Shape.blend()."""
-        return {"from_edges": list(self.from_edges), "to_edges": list(self.to_edges), "continuity": self.continuity,
-                "edge_continuity": dict(self.edge_continuity), "from_reach": self.from_reach,
-                "to_reach": self.to_reach, "from_reach_end": self.from_reach_end, "to_reach_end": self.to_reach_end,
-                "from_departure": self.from_departure, "to_departure": self.to_departure,
-                "from_flip": self.from_flip, "to_flip": self.to_flip,
-                "from_setback": self.from_setback, "to_setback": self.to_setback, "energy": self.energy,
-                "tolerance": self.gap_tolerance, "angle": self.angle_tolerance, "degree": self.degree,
-                "max_poles": self.max_poles, "result": self.result}
+        given = dataclasses.asdict(self)
+        given.update(from_edges=list(self.from_edges), to_edges=list(self.to_edges), pairs=list(self.pairs),
+                     edge_continuity=dict(self.edge_continuity))
+        return {NATIVE_NAMES.get(name, name): value for name, value in given.items()}
 
     def solve(self, brep: bytes, progress=None):
         """The native Fill of this request on a shape given as BREP text.

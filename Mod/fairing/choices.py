@@ -17,6 +17,9 @@ LAYOUTS = ("auto", "quad", "star", "o-grid", "trimmed")
 ENERGIES = ("thin-plate", "membrane", "mean-curvature-gradient")
 RESULTS = ("patches", "shell", "base")
 
+DEPARTURES = ("free", "perpendicular", "iso")
+MATCHES = ("auto", "length", "corners")
+
 BY_EDGE = ("edge_continuity", "tangents", "symmetry")  # members that belong to single edges
 
 Triple = tuple[float, float, float]

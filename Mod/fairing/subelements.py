@@ -22,6 +22,21 @@ def only_edges(picks: Union[Pick, Iterable[Pick]]) -> tuple[int, ...]:
     return edge_numbers(picks)
 
 
+def vertex_number(pick: Pick) -> int:
+    """The number of one vertex. Raises ValueError where it is none."""
+    if not isinstance(pick, int) and not is_vertex(pick):
+        raise ValueError(f"{pick!r} is not a vertex (Vertex3)")
+    return _number(pick, "Vertex")
+
+
+def vertex_pair(pair: Iterable[Pick]) -> tuple[int, int]:
+    """The numbers of two vertices. Raises ValueError where they are none, or not two."""
+    numbers = tuple(map(vertex_number, pair))
+    if len(numbers) != 2:
+        raise ValueError(f"{pair!r} is no pair of vertices: a vertex of either side is needed")
+    return numbers
+
+
 def face_numbers(picks: Iterable[Pick]) -> tuple[int, ...]:
     """Numbers of the faces among picks."""
     return tuple(_number(pick, "Face") for pick in picks if not isinstance(pick, int) and is_face(pick))

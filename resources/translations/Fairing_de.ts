@@ -310,6 +310,102 @@
    <source>Take the edge chosen in the tables away from its side; edges found by themselves go with the picked ones</source>
    <translation>Die in den Tabellen gewählte Kante von ihrer Seite nehmen; von selbst gefundene gehen mit den gewählten</translation>
   </message>
+  <message>
+   <source>More</source>
+   <translation>Mehr</translation>
+  </message>
+  <message>
+   <source>Reach that changes along a side, direction, setback, and what belongs together</source>
+   <translation>Weite, die sich entlang einer Seite ändert, Richtung, Abstand, und was zusammengehört</translation>
+  </message>
+  <message>
+   <source>Reach at end</source>
+   <translation>Weite am Ende</translation>
+  </message>
+  <message>
+   <source>Lets the reach change along an open side: this is the reach at its end, the one above that at its start. Default: off</source>
+   <translation>Lässt die Weite sich entlang einer offenen Seite ändern: dies ist die Weite an ihrem Ende, die obere die am Anfang. Vorgabe: aus</translation>
+  </message>
+  <message>
+   <source>Leaves</source>
+   <translation>Abgang</translation>
+  </message>
+  <message>
+   <source>Direction in which the surface leaves the edges: freely in the tangent plane, square to the edge, or along the curves of the face. Default: freely</source>
+   <translation>Richtung, in der die Fläche die Kanten verlässt: frei in der Tangentialebene, senkrecht zur Kante oder entlang der Kurven der Fläche. Vorgabe: frei</translation>
+  </message>
+  <message>
+   <source>Direction</source>
+   <translation>Richtung</translation>
+  </message>
+  <message>
+   <source>Leave this side the other way, back over its face. Default: off</source>
+   <translation>Diese Seite in der anderen Richtung verlassen, zurück über ihre Fläche. Vorgabe: aus</translation>
+  </message>
+  <message>
+   <source>Setback</source>
+   <translation>Abstand</translation>
+  </message>
+  <message>
+   <source>How far from the edges, inside the faces, the surface starts; in a sewn result the faces are trimmed back to there. Default: 0 mm</source>
+   <translation>Wie weit von den Kanten, innerhalb der Flächen, die Fläche beginnt; im vernähten Ergebnis sind die Flächen bis dorthin beschnitten. Vorgabe: 0 mm</translation>
+  </message>
+  <message>
+   <source>Match</source>
+   <translation>Zuordnung</translation>
+  </message>
+  <message>
+   <source>Which points of the sides belong together: equal shares of their lengths, or corner to corner. Automatic: corners where both sides have as many</source>
+   <translation>Welche Punkte der Seiten zusammengehören: gleiche Anteile der Längen, oder Ecke zu Ecke. Automatisch: Ecken, wo beide Seiten gleich viele haben</translation>
+  </message>
+  <message>
+   <source>Turn</source>
+   <translation>Drehung</translation>
+  </message>
+  <message>
+   <source>Turns closed sides against each other, from where the surface is least twisted, by a share of the length. Default: 0</source>
+   <translation>Dreht geschlossene Seiten gegeneinander, von dort, wo die Fläche am wenigsten verdreht ist, um einen Anteil der Länge. Vorgabe: 0</translation>
+  </message>
+  <message>
+   <source>Freely</source>
+   <translation>Frei</translation>
+  </message>
+  <message>
+   <source>Square to edge</source>
+   <translation>Senkrecht zur Kante</translation>
+  </message>
+  <message>
+   <source>Along curves</source>
+   <translation>Entlang der Kurven</translation>
+  </message>
+  <message>
+   <source>Other way</source>
+   <translation>Umgekehrt</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>By length</source>
+   <translation>Nach Länge</translation>
+  </message>
+  <message>
+   <source>Corner to corner</source>
+   <translation>Ecke zu Ecke</translation>
+  </message>
+  <message>
+   <source>Pair two vertices</source>
+   <translation>Zwei Punkte zuordnen</translation>
+  </message>
+  <message>
+   <source>Vertices of both sides that belong together: pick one of either side in the 3D view</source>
+   <translation>Punkte beider Seiten, die zusammengehören: je einen in der 3D-Ansicht anklicken</translation>
+  </message>
+  <message>
+   <source>Take the chosen pair away, or all</source>
+   <translation>Das gewählte Paar wegnehmen, oder alle</translation>
+  </message>
  </context>
  <context>
   <name>FairingFillPanel</name>
@@ -888,6 +984,26 @@
   <message>
    <source>Found by itself: it continues a picked edge smoothly</source>
    <translation>Von selbst gefunden: setzt eine gewählte Kante glatt fort</translation>
+  </message>
+  <message>
+   <source>Pick a vertex of a side</source>
+   <translation>Einen Punkt einer Seite anklicken</translation>
+  </message>
+  <message>
+   <source>Pick the vertex it belongs to</source>
+   <translation>Den zugehörigen Punkt anklicken</translation>
+  </message>
+  <message>
+   <source>Pair two vertices</source>
+   <translation>Zwei Punkte zuordnen</translation>
+  </message>
+  <message>
+   <source>Pick a vertex where edges of the other side meet.</source>
+   <translation>Einen Punkt anklicken, an dem Kanten der anderen Seite enden.</translation>
+  </message>
+  <message>
+   <source>Pick a vertex where edges of a side of the blend meet.</source>
+   <translation>Einen Punkt anklicken, an dem Kanten einer Seite der Überblendung enden.</translation>
   </message>
  </context>
  <context>

@@ -7,7 +7,7 @@ from typing import Iterable
 
 from .. import exchange
 from .blend_sides import NO_SIDE
-from .joined_shapes import Edge, JoinedShapes
+from .joined_shapes import JoinedShapes, Place
 from .links import Link, links_of
 from .placement import container_for_results
 
@@ -33,5 +33,5 @@ def two_sides(picks: Iterable[Link]) -> tuple[list[Link], list[Link]]:
     return _links(first), _links(edge for chain in others for edge in chain)
 
 
-def _links(edges: Iterable[Edge]) -> list[Link]:
+def _links(edges: Iterable[Place]) -> list[Link]:
     return links_of((obj, [f"Edge{edge}"]) for obj, edge in edges)

@@ -7,7 +7,7 @@ import FreeCAD as App
 
 from ..blend_request import BlendRequest
 from . import choice_properties, fill_properties
-from .blend_sides import BlendSides, Side
+from .blend_sides import BlendSides, Side, named_pairs, pairs_of
 from .placement import container_of
 
 # name, type, group, tooltip
@@ -25,6 +25,30 @@ ASKED = (
      "How far the blend goes on before it turns away from the side it starts from; 1: what the energy likes best"),
     ("ToReach", "App::PropertyFloat", "Shape",
      "How far the blend goes on before it turns away from the side it ends at; 1: what the energy likes best"),
+    ("FromReachEnd", "App::PropertyFloat", "Shape",
+     "Reach at the end of an open side it starts from, linear along the side; 0: as at the start"),
+    ("ToReachEnd", "App::PropertyFloat", "Shape",
+     "Reach at the end of an open side it ends at, linear along the side; 0: as at the start"),
+    ("FromDeparture", "App::PropertyEnumeration", "Shape",
+     "Direction in which it leaves the edges it starts from: free in the tangent plane, perpendicular to the edge, or "
+     "along the face's iso-curves"),
+    ("ToDeparture", "App::PropertyEnumeration", "Shape",
+     "Direction in which it leaves the edges it ends at: free in the tangent plane, perpendicular to the edge, or "
+     "along the face's iso-curves"),
+    ("FromFlip", "App::PropertyBool", "Shape", "Leave the side it starts from the other way, over its face"),
+    ("ToFlip", "App::PropertyBool", "Shape", "Leave the side it ends at the other way, over its face"),
+    ("FromSetback", "App::PropertyLength", "Shape",
+     "How far inside the faces it starts, trimmed back to there in the sewn result"),
+    ("ToSetback", "App::PropertyLength", "Shape",
+     "How far inside the faces it ends, trimmed back to there in the sewn result"),
+    ("Match", "App::PropertyEnumeration", "Shape",
+     "Which points of the sides belong together: equal shares of their lengths, or corner to corner; auto: corners "
+     "where both sides have as many"),
+    ("Alignment", "App::PropertyFloat", "Shape",
+     "Turns closed sides against each other from where the blend is least twisted, by a share of the length, -0.5 to "
+     "0.5"),
+    ("Pairs", "App::PropertyStringList", "Shape",
+     "Vertices of both sides that belong together, one pair a line: Vertex3=Vertex7"),
     ("GapTolerance", "App::PropertyLength", "Boundary",
      "Largest distance of an edge from the surface; 0: a millionth of the diagonal of both chains"),
     *choice_properties.chosen("Continuity", "AngleTolerance", "Energy", "Degree", "MaxPoles"),
@@ -33,29 +57,37 @@ ASKED = (
 )
 MEASURED = tuple(item for item in fill_properties.MEASURED if item[0] not in ("LargestInnerGap", "LayoutUsed"))
 
+# members of BlendRequest and the properties that hold them as they are; 0 stands for None
+NAMES = {"continuity": "Continuity", "from_reach": "FromReach", "to_reach": "ToReach",
+         "from_reach_end": "FromReachEnd", "to_reach_end": "ToReachEnd", "from_departure": "FromDeparture",
+         "to_departure": "ToDeparture", "from_flip": "FromFlip", "to_flip": "ToFlip", "from_setback": "FromSetback",
+         "to_setback": "ToSetback", "match": "Match", "alignment": "Alignment", "energy": "Energy",
+         "gap_tolerance": "GapTolerance", "angle_tolerance": "AngleTolerance", "degree": "Degree",
+         "max_poles": "MaxPoles", "result": "ResultMode"}
+NONE_AT_ZERO = ("gap_tolerance", "from_reach_end", "to_reach_end")
+
 write_failure = fill_properties.write_failure
 
 
 def add_properties(obj: App.DocumentObject) -> None:
     """Gives an object every property it does not have yet, with its default; existing ones keep their values."""
     plain = BlendRequest()
-    defaults = {"Continuity": plain.continuity, "Energy": plain.energy, "AngleTolerance": plain.angle_tolerance,
-                "MaxPoles": plain.max_poles, "FromReach": plain.from_reach, "ToReach": plain.to_reach}
-    choice_properties.add(obj, ASKED, MEASURED, defaults)
+    choice_properties.add(obj, ASKED, MEASURED,
+                          {name: getattr(plain, member) or 0 for member, name in NAMES.items()})
 
 
 def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSides) -> None:
     """Stores what is asked for."""
     obj.FromEdges, obj.ToEdges = sides.from_side.links(), sides.to_side.links()
     obj.FromContinuity, obj.ToContinuity = sides.from_side.lines(), sides.to_side.lines()
-    obj.Continuity = request.continuity
-    obj.GapTolerance = request.gap_tolerance or 0.0
-    obj.AngleTolerance = request.angle_tolerance
-    obj.FromReach, obj.ToReach = request.from_reach, request.to_reach
-    obj.Energy = request.energy
-    obj.Degree = request.degree
-    obj.MaxPoles = request.max_poles
-    obj.ResultMode = request.result
+    obj.Pairs = ["=".join(pair) for pair in named_pairs(sides.pairs, sides.from_side, sides.to_side)]
+    for member, name in NAMES.items():
+        setattr(obj, name, getattr(request, member) or 0)
+
+
+def read_pairs(obj: App.DocumentObject) -> tuple:
+    """The vertices that belong together. Raises ValueError with one sentence."""
+    return pairs_of((line.split("=") for line in obj.Pairs), from_side(obj), to_side(obj))
 
 
 def from_side(obj: App.DocumentObject) -> Side:
@@ -69,14 +101,14 @@ def to_side(obj: App.DocumentObject) -> Side:
 
 def read_sides(obj: App.DocumentObject) -> BlendSides:
     """What an object's blend joins, in the coordinates it lives in. Raises ValueError with one sentence."""
-    return BlendSides(from_side(obj), to_side(obj), container_of(obj))
+    return BlendSides(from_side(obj), to_side(obj), container_of(obj), read_pairs(obj))
 
 
 def read_choices(obj: App.DocumentObject) -> dict:
     """The choices that belong to no single edge, by the names of BlendRequest."""
-    return dict(continuity=obj.Continuity, from_reach=obj.FromReach, to_reach=obj.ToReach, energy=obj.Energy,
-                gap_tolerance=obj.GapTolerance.Value or None, angle_tolerance=obj.AngleTolerance.Value,
-                degree=obj.Degree, max_poles=obj.MaxPoles, result=obj.ResultMode)
+    values = {member: getattr(obj, name) for member, name in NAMES.items()}
+    plain = {member: getattr(value, "Value", value) for member, value in values.items()}
+    return {member: None if member in NONE_AT_ZERO and value == 0 else value for member, value in plain.items()}
 
 
 def write_report(obj: App.DocumentObject, blend) -> None:

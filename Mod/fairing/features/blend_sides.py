@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Mapping, Optional
+from typing import Any, Iterable, Mapping, Optional
 
 import FreeCAD as App
 
 from .. import subelements
 from ..blend_request import BlendRequest
-from .joined_shapes import Edge, JoinedShapes
+from .joined_shapes import JoinedShapes, Place
 from .links import Link, links_of
 
 NO_SIDE = "A side of the blend has no edge: pick an edge on either side."
@@ -20,8 +20,8 @@ NO_SIDE = "A side of the blend has no edge: pick an edge on either side."
 class Side:
     """Picked edges, and those that are met in another way than the rest, {(object, 7): "G0"}."""
 
-    edges: tuple[Edge, ...]
-    wishes: Mapping[Edge, str] = dataclasses.field(default_factory=dict)
+    edges: tuple[Place, ...]
+    wishes: Mapping[Place, str] = dataclasses.field(default_factory=dict)
 
     @staticmethod
     def of(given, wishes: Optional[Mapping[Any, str]] = None) -> "Side":
@@ -31,7 +31,8 @@ class Side:
         if not edges:
             raise ValueError(NO_SIDE)
         side = Side(edges)
-        return dataclasses.replace(side, wishes={side._edge_of(name): word for name, word in (wishes or {}).items()})
+        named = {side.place_of(name): word for name, word in (wishes or {}).items()}
+        return dataclasses.replace(side, wishes=named)
 
     @property
     def objects(self) -> list[App.DocumentObject]:
@@ -43,37 +44,57 @@ class Side:
     def named_wishes(self) -> dict[str, str]:
         """The wishes as scripts give them, in the order of their edges' numbers."""
         ordered = sorted(self.wishes.items(), key=lambda item: (self.objects.index(item[0][0]), item[0][1]))
-        return {self._name_of(edge): word for edge, word in ordered}
+        return {self.name_of(edge): word for edge, word in ordered}
 
     def lines(self) -> list[str]:
         return [f"{name}={word}" for name, word in self.named_wishes().items()]
 
-    def _edge_of(self, name) -> Edge:
-        base, _, local = str(name).rpartition(".") if isinstance(name, str) else ("", "", name)
+    def place_of(self, name, kind: str = "Edge") -> Place:
+        """An edge, or a vertex, by "Edge7", or by "Pipe.Edge7" where there are several objects. Raises ValueError."""
+        base, _, local = name.rpartition(".") if isinstance(name, str) else ("", "", name)
         named = [obj for obj in self.objects if obj.Name == base or not base]
         if len(named) != 1:
-            raise ValueError(f"{name!r} is no edge of this side: write such as {self._name_of(self.edges[0])}.")
-        return named[0], subelements.only_edges(local)[0]
+            sample = self.name_of((self.objects[0], 7), kind)
+            raise ValueError(f"{name!r} does not belong to this side: write such as {sample}.")
+        return named[0], subelements.only_edges(local)[0] if kind == "Edge" else subelements.vertex_number(local)
 
-    def _name_of(self, edge: Edge) -> str:
-        return f"{edge[0].Name}.Edge{edge[1]}" if len(self.objects) > 1 else f"Edge{edge[1]}"
+    def name_of(self, place: Place, kind: str = "Edge") -> str:
+        return f"{place[0].Name}.{kind}{place[1]}" if len(self.objects) > 1 else f"{kind}{place[1]}"
+
+
+Pair = tuple[Place, Place]  # vertices, one of either side, that belong together
 
 
 class BlendSides:
     """Both sides, and the shape that holds the objects of both, in a container's coordinates."""
 
-    def __init__(self, from_side: Side, to_side: Side, container):
-        self.from_side, self.to_side = from_side, to_side
+    def __init__(self, from_side: Side, to_side: Side, container, pairs: Iterable[Pair] = ()):
+        self.from_side, self.to_side, self.pairs = from_side, to_side, tuple(pairs)
         self.joined = JoinedShapes(from_side.objects + to_side.objects, container)
 
     def request(self, **choices) -> BlendRequest:
         """What is asked of the whole shape. Raises ValueError where an object has no edge of that number."""
         wishes = {self.joined.number(*edge): word for side in (self.from_side, self.to_side)
                   for edge, word in side.wishes.items()}
-        return BlendRequest.of(self._numbers(self.from_side), self._numbers(self.to_side), wishes, **choices)
+        pairs = [tuple(self.joined.vertex_number(*place) for place in pair) for pair in self.pairs]
+        return BlendRequest.of(self._numbers(self.from_side), self._numbers(self.to_side), wishes, pairs, **choices)
 
     def _numbers(self, side: Side) -> list[int]:
         return [self.joined.number(*edge) for edge in side.edges]
+
+
+def pairs_of(given, from_side: Side, to_side: Side) -> tuple[Pair, ...]:
+    """From ("Vertex3", "Vertex7"), with objects in front where a side has several. Raises ValueError."""
+    pairs = [tuple(pair) for pair in given]
+    for pair in pairs:
+        if len(pair) != 2:
+            raise ValueError(f"{pair!r} is no pair of vertices: one of either side is needed.")
+    return tuple((from_side.place_of(first, "Vertex"), to_side.place_of(second, "Vertex")) for first, second in pairs)
+
+
+def named_pairs(pairs: Iterable[Pair], from_side: Side, to_side: Side) -> list[tuple[str, str]]:
+    """The inverse."""
+    return [(from_side.name_of(first, "Vertex"), to_side.name_of(second, "Vertex")) for first, second in pairs]
 
 
 def side_links(given) -> list[Link]:

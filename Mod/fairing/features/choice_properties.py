@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD as App
 
 from .. import exchange, subelements
-from ..choices import CONTINUITIES, ENERGIES, LAYOUTS, RESULTS, Choices
+from ..choices import CONTINUITIES, DEPARTURES, ENERGIES, LAYOUTS, MATCHES, RESULTS, Choices
 from .placement import container_of, shape_in
 
 READ_ONLY, HIDDEN = 1, 4  # FreeCAD's property editor modes, as bits of addProperty's attributes
@@ -37,7 +37,8 @@ CHOSEN = (
      "patches: the new faces; shell: sewn to one another; base: sewn into the base, a solid where that closes it"),
 )
 _BY_NAME = {item[0]: item for item in CHOSEN}
-WORDS = {"Continuity": CONTINUITIES, "Layout": LAYOUTS, "Energy": ENERGIES, "ResultMode": RESULTS}
+WORDS = {"Continuity": CONTINUITIES, "Layout": LAYOUTS, "Energy": ENERGIES, "ResultMode": RESULTS,
+         "FromDeparture": DEPARTURES, "ToDeparture": DEPARTURES, "Match": MATCHES}
 
 
 def chosen(*names: str) -> tuple:

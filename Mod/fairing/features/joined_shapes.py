@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The shapes of several objects as one, and which edge of it is whose."""
+"""The shapes of several objects as one, and which edge or vertex of it is whose."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import Part
 
 from .placement import shape_in
 
-Edge = tuple[App.DocumentObject, int]
+Place = tuple[App.DocumentObject, int]  # an edge, or a vertex, by its number in an object
 
 
 class JoinedShapes:
@@ -25,8 +25,12 @@ class JoinedShapes:
         self._shapes = shapes
         self.is_joined = len(shapes) > 1
         self.shape = Part.Compound(list(shapes.values())) if self.is_joined else shapes[self.objects[0]]
-        self._places = self._find_places() if self.is_joined else {}
+        self._places = self._find_places("Edges") if self.is_joined else {}
         self._numbers = {place: number for number, place in self._places.items()}
+
+    def own_shape(self, obj: App.DocumentObject) -> Part.Shape:
+        """That of one object, in the container's coordinates."""
+        return self._shapes[obj]
 
     def number(self, obj: App.DocumentObject, edge: int) -> int:
         """An edge of one object as a number of the whole shape. Raises ValueError where the object lacks it."""
@@ -36,7 +40,16 @@ class JoinedShapes:
             raise ValueError(f"There is no edge {edge}: {obj.Label} has {len(self._shapes[obj].Edges)}.")
         return self._numbers[obj, edge]
 
-    def place(self, number: int) -> Edge:
+    def vertex_number(self, obj: App.DocumentObject, vertex: int) -> int:
+        """The same for a vertex."""
+        if not self.is_joined:
+            return vertex
+        for number, place in self._find_places("Vertexes").items():
+            if place == (obj, vertex):
+                return number
+        raise ValueError(f"There is no vertex {vertex}: {obj.Label} has {len(self._shapes[obj].Vertexes)}.")
+
+    def place(self, number: int) -> Place:
         """The object that an edge of the whole shape belongs to, and the edge's number there."""
         return self._places[number] if self.is_joined else (self.objects[0], number)
 
@@ -52,10 +65,11 @@ class JoinedShapes:
         beside = shape.ancestorsOfType(shape.Edges[edge - 1], Part.Face)
         return [number for number, face in enumerate(shape.Faces, 1) if any(face.isSame(other) for other in beside)]
 
-    def _find_places(self) -> dict[int, Edge]:
+    def _find_places(self, kind: str) -> dict[int, Place]:
+        """Whose the whole shape's "Edges", or "Vertexes", are."""
         own: dict[int, list] = {}
         for obj, shape in self._shapes.items():
-            for edge, there in enumerate(shape.Edges, 1):
-                own.setdefault(there.hashCode(), []).append((there, (obj, edge)))
-        return {number: next(place for there, place in own[edge.hashCode()] if there.isSame(edge))
-                for number, edge in enumerate(self.shape.Edges, 1)}
+            for number, there in enumerate(getattr(shape, kind), 1):
+                own.setdefault(there.hashCode(), []).append((there, (obj, number)))
+        return {number: next(place for there, place in own[part.hashCode()] if there.isSame(part))
+                for number, part in enumerate(getattr(self.shape, kind), 1)}

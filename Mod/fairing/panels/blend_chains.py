@@ -5,10 +5,13 @@ from __future__ import annotations
 
 from typing import Optional
 
+import FreeCAD as App
+
 from .. import exchange
 from ..features.blend_sides import BlendSides, Side
 
 LINE_POINTS = 65  # of an edge
+SAME = 1e-7  # mm, FreeCAD's own for points
 
 
 class BlendChains:
@@ -32,6 +35,15 @@ class BlendChains:
                 raise ValueError(f"There is no edge {own}: {base.Label} has {len(self._edges)}.")
         return [[self._row(number, number not in own, side, continuity) for number in self._whole(own, others)]
                 for side, own, others in zip(sides, picked, picked[::-1])]
+
+    def side_of_vertex(self, loops: list[list[dict]], base, number: int) -> Optional[int]:
+        """The side whose rows have an edge of an object that ends at a vertex of it."""
+        vertexes = self.sides.joined.own_shape(base).Vertexes if base in self.sides.joined.objects else []
+        if not 1 <= number <= len(vertexes):
+            return None
+        point = vertexes[number - 1].Point
+        return next((side for side, rows in enumerate(loops) for row in rows if row["place"][0] is base
+                     for end in (row["points"][0], row["points"][-1]) if point.isEqual(App.Vector(*end), SAME)), None)
 
     def _whole(self, own: list[int], others: list[int]) -> list[int]:
         """The picked edges in the order of their chains, with those that continue them smoothly."""

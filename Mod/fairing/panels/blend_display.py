@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the 3D view shows of a blend being made: what it shows of a fill, and a handle for the reach of either side."""
+"""What the 3D view shows of a blend being made: what it shows of a fill, a handle for the reach of either side,
+and which points of the sides belong together."""
 
 from __future__ import annotations
 
+from .blend_session import FROM, TO
 from .fill_display import FillDisplay
 from .reach_handles import ReachHandles
 
@@ -19,10 +21,13 @@ class BlendDisplay(FillDisplay):
 
     def show_unsolved(self) -> None:
         super().show_unsolved()
+        self._preview.show_matches(())
         self._show_handles()
 
     def show_fill(self, report: dict, mesh) -> None:
         super().show_fill(report, mesh)
+        matches = report["matches"] if self._session.is_strip else ()
+        self._preview.show_matches([(match["from"], match["to"]) for match in matches])
         self._show_handles()
 
     def remove(self) -> None:
@@ -30,5 +35,5 @@ class BlendDisplay(FillDisplay):
         super().remove()
 
     def _show_handles(self) -> None:
-        request = self._session.request
-        self._handles.show(self._session.arms, (request.from_reach, request.to_reach), self._session.placement)
+        session = self._session
+        self._handles.show(session.arms, [session.middle_reach(side) for side in (FROM, TO)], session.placement)

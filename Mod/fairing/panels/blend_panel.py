@@ -16,6 +16,8 @@ from .blend_display import BlendDisplay
 from .blend_session import CHOICES, FROM, TO, BlendSession
 from .edge_panel import EdgePanel
 from .fill_choices import LimitChoices
+from .more_choices import MoreChoices
+from .pair_list import PairList
 from .reach_rows import ReachRows
 from .side_tables import SideTables
 from .status import Status
@@ -49,7 +51,11 @@ class BlendPanel(EdgePanel):
         super()._set_up()
         self._reaches = ReachRows(self._ui, self._asked_reaches())
         self._reaches.changed.connect(self._reach)
-        self._display.on_reach = self._reach
+        self._display.on_reach = self._drag
+        self._more = MoreChoices(self._ui, self._session)
+        self._pairs = PairList(self._ui, self._session)
+        for part in (self._more, self._pairs):
+            part.changed.connect(self._refresh)
         self._settled = QtCore.QTimer(self._ui)
         self._settled.setSingleShot(True)
         self._settled.setInterval(PAUSE)
@@ -58,7 +64,14 @@ class BlendPanel(EdgePanel):
         self._table.pointed.connect(self._point_at)
         self._ui.dropButton.clicked.connect(self._drop)
 
+    @property
+    def _takes_points(self) -> bool:
+        return self._pairs.is_picking
+
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
+        if self._pairs.is_picking:
+            self._pairs.picked(obj, name)
+            return
         if not subelements.is_edge(name):
             selection.tell(translate("Fairing", "Pick an edge: a blend starts from edges and ends at edges."))
             return
@@ -82,6 +95,11 @@ class BlendPanel(EdgePanel):
     def _clear(self) -> None:
         self._ui.fromButton.setChecked(True)
         super()._clear()
+
+    def _drag(self, side: int, middle: float) -> None:
+        """An arrow was dragged: where the reach changes along the side, both ends follow in proportion."""
+        self._reach(side, self._session.scale_reach(side, middle))
+        self._more.show_ends()
 
     def _reach(self, side: int, value: float) -> None:
         """Shows another reach at once where there is a blend to start from; what OK takes is solved when it stays."""
@@ -119,7 +137,9 @@ class BlendPanel(EdgePanel):
         self._table.show(session.loops, session.request)
         has_both = None not in session.sides
         self._ui.promptLabel.setVisible(not has_both)
-        self._reaches.set_visible(session.has_reach)
+        self._reaches.set_visible(session.is_strip)
+        self._more.show_sides()
+        self._pairs.show()
         self._show_picks(any(session.sides))
         self._point_at(self._pointed)
         self._show_unsolved("")

@@ -11,15 +11,20 @@ import FreeCAD as App
 from .. import exchange, subelements
 from ..blend_request import BlendRequest
 from ..features import blend_properties as properties
-from ..features.blend_sides import NO_SIDE, BlendSides, Side
+from ..features.blend_sides import NO_SIDE, BlendSides, Pair, Side
 from ..features.placement import container_for_results, container_of, placement_of
 from .blend_chains import BlendChains
-from .commands import link_command, object_command, run_as_one_step
+from .blend_command import blend_command
+from .commands import run_as_one_step
 
 MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
 FROM, TO = range(2)
-CHOICES = ("continuity", "from_reach", "to_reach", "energy", "gap_tolerance", "angle_tolerance", "degree", "max_poles",
-           "result")
+# Choices that a strip alone has: a junction is asked none of them.
+STRIP_CHOICES = ("from_reach", "to_reach", "from_reach_end", "to_reach_end", "from_departure", "to_departure",
+                 "from_flip", "to_flip", "from_setback", "to_setback", "match", "alignment")
+CHOICES = ("continuity", *STRIP_CHOICES, "energy", "gap_tolerance", "angle_tolerance", "degree", "max_poles", "result")
+
+_REACHES = (("from_reach", "from_reach_end"), ("to_reach", "to_reach_end"))
 
 
 class BlendSession:
@@ -28,6 +33,7 @@ class BlendSession:
     def __init__(self, document: App.Document, request: BlendRequest, sides=(None, None), obj=None):
         self.document, self.request, self.obj = document, request, obj
         self.sides: list[Optional[Side]] = list(sides)
+        self.pairs: tuple[Pair, ...] = ()
         self.loops: list[list[dict]] = [[], []]
         self.problem = NO_SIDE
         self._chains: Optional[BlendChains] = None
@@ -37,7 +43,9 @@ class BlendSession:
     def of_object(cls, obj: App.DocumentObject) -> "BlendSession":
         """To edit a blend. Raises ValueError where its properties make no sense."""
         sides = (properties.from_side(obj), properties.to_side(obj))
-        return cls(obj.Document, BlendRequest(**properties.read_choices(obj)), sides, obj)
+        session = cls(obj.Document, BlendRequest(**properties.read_choices(obj)), sides, obj)
+        session.pairs = properties.read_pairs(obj)
+        return session
 
     @property
     def container(self):
@@ -85,6 +93,10 @@ class BlendSession:
     def clear(self) -> None:
         self.sides = [None, None]
 
+    def side_of_vertex(self, base: App.DocumentObject, name: str) -> Optional[int]:
+        """Which side's edges a vertex ends, None for neither."""
+        return self._chains.side_of_vertex(self.loops, base, subelements.vertex_number(name)) if self._chains else None
+
     def change(self, **changes: Any) -> None:
         """Other choices, by the names of BlendRequest."""
         self.request = dataclasses.replace(self.request, **changes)
@@ -110,7 +122,10 @@ class BlendSession:
         if not present:
             return
         try:
-            self._chains = BlendChains(BlendSides(present[0], present[-1], self.container))
+            objects = {obj for side in present for obj in side.objects}
+            self.pairs = tuple(pair for pair in self.pairs if objects.issuperset(obj for obj, _ in pair))
+            pairs = self.pairs if len(present) == 2 else ()
+            self._chains = BlendChains(BlendSides(present[0], present[-1], self.container, pairs))
             self.loops = self._chains.rows(self.sides, self.request.continuity)
         except ValueError as error:
             self.problem = str(error)
@@ -119,7 +134,7 @@ class BlendSession:
 
     def job(self):
         """What a background thread computes: the native Blend and its mesh. Touches plain data only."""
-        request, brep = self._chains.sides.request(**self._choices()), self._chains.brep
+        request, brep = self._chains.sides.request(**self.choices()), self._chains.brep
 
         def solve(progress):
             blend = request.solve(brep, progress)
@@ -134,55 +149,50 @@ class BlendSession:
     def reach(self, position: int, value: float):
         """Another reach of one side. Returns the blend that has it and its mesh at the cost of one solve; None where
         no blend is kept. Raises FairingError."""
-        self.change(**{("from_reach", "to_reach")[position]: value})
+        self.change(**{_REACHES[position][0]: value})
         if self._blend is None:
             return None
-        reached = self._blend.reaching(self.request.from_reach, self.request.to_reach)
+        asked = self.choices()
+        reached = self._blend.reaching(**{name: asked[name] for names in _REACHES for name in names})
         return reached, reached.mesh(MESH_POINTS)
+
+    def middle_reach(self, position: int) -> float:
+        """Reach in the middle of a side."""
+        start, end = (getattr(self.request, name) for name in _REACHES[position])
+        return start if end is None or self.is_closed else 0.5 * (start + end)
+
+    def scale_reach(self, position: int, middle: float) -> float:
+        """Lets the reach at the end of a side grow as that in its middle does. Returns the one at its start."""
+        factor = middle / self.middle_reach(position)
+        start, end = (getattr(self.request, name) for name in _REACHES[position])
+        if end is not None:
+            self.change(**{_REACHES[position][1]: round(factor * end, 2)})
+        return round(factor * start, 2)
 
     @property
     def arms(self) -> list:
         """How the kept blend leaves either side at reach 1, as the native Blend tells; none where none is kept."""
-        return self._blend.arms if self._blend and self.has_reach else []
+        return self._blend.arms if self._blend and self.is_strip else []
 
     def commit(self) -> None:
         """Writes the blend into the document as one step to undo, by commands the macro recorder understands."""
         title = "Blend faces" if self.obj is None else f"Edit {self.obj.Label}"
-        run_as_one_step(self.document, title, self._command())
+        run_as_one_step(self.document, title, blend_command(self))
         if self.obj is None:
             self.obj = self.document.ActiveObject
 
     @property
-    def has_reach(self) -> bool:
-        """Whether there are two sides that could reach farther; a junction reaches as its energy likes best."""
+    def is_strip(self) -> bool:
+        """Whether there are two sides of one chain each, and not a junction."""
         return None not in self.sides and not (self._chains and self._chains.is_junction)
 
-    def _choices(self) -> dict:
-        chosen = {name: getattr(self.request, name) for name in CHOICES}
-        return chosen if self.has_reach else {**chosen, "from_reach": 1.0, "to_reach": 1.0}
+    @property
+    def is_closed(self) -> bool:
+        return self.is_strip and self._chains is not None and self._chains.is_closed
 
-    def _command(self) -> str:
-        """The Python line that does what OK does: only what differs from the defaults, or from the object as it is."""
-        links = [_links_command(side) for side in self.sides]
-        if self.obj is None:
-            head, before, known = f"fairing.make_blend({', '.join(links)}", BlendRequest(), [{}, {}]
-        else:
-            head = f"fairing.change_blend({object_command(self.obj)}"
-            before = BlendRequest(**properties.read_choices(self.obj))
-            old = [properties.from_side(self.obj), properties.to_side(self.obj)]
-            known = []
-            for name, link, was in zip(("from_edges", "to_edges"), links, old):
-                is_other = link != _links_command(was)
-                head += f", {name}={link}" if is_other else ""
-                known.append({} if is_other else was.named_wishes())
-        tail = "".join(f", {name}={side.named_wishes()!r}"
-                       for name, side, was in zip(("from_continuity", "to_continuity"), self.sides, known)
-                       if side.named_wishes() != was)
-        tail += "".join(f", {name}={value!r}" for name, value in self._choices().items()
-                        if value != getattr(before, name))
-        return f"{head}{tail})"
-
-
-def _links_command(side: Side) -> str:
-    commands = [link_command(link) for link in side.links()]
-    return commands[0] if len(commands) == 1 else f"[{', '.join(commands)}]"
+    def choices(self) -> dict:
+        """What is asked: of what is chosen that which makes sense with the sides as they are."""
+        plain = BlendRequest()
+        idle = set() if self.is_strip else set(STRIP_CHOICES)
+        idle |= {"from_reach_end", "to_reach_end"} if self.is_closed else {"alignment"}
+        return {name: getattr(plain if name in idle else self.request, name) for name in CHOICES}

@@ -7,6 +7,7 @@ import numpy as np
 from pivy import coin
 
 TRANSPARENCY = 0.15
+MATCH_COLOR, DOTTED = (0.13, 0.15, 0.18), 0x3333
 EDGE_WIDTH, THICK_WIDTH = 4.0, 9.0  # pixels
 DEPTH_RANGE = (0.0, 0.9998)  # a touch nearer than the base's own edges, which would show through otherwise
 
@@ -24,6 +25,8 @@ class Preview:
         self._edges = _Edges()
         self._root.addChild(self._surface.root)
         self._root.addChild(self._edges.root)
+        self._matches = _Matches()
+        self._root.addChild(self._matches.root)
         view.getSceneGraph().addChild(self._root)
 
     def place(self, placement) -> None:
@@ -41,6 +44,10 @@ class Preview:
     def show_edges(self, lines, colors, thick=()) -> None:
         """Polylines (each n x 3), their colours, and the positions of those that stand out."""
         self._edges.show(lines, colors, thick)
+
+    def show_matches(self, pairs) -> None:
+        """Pairs of points that belong together: a dot at each and a dotted line between."""
+        self._matches.show([point for pair in pairs for point in pair])
 
     def remove(self) -> None:
         if self._root is None:
@@ -108,6 +115,28 @@ class _Edges:
             strip.numVertices.setValue(len(line))
             for node in (style, material, points, strip):
                 self.root.addChild(node)
+
+
+class _Matches:
+    def __init__(self):
+        self.root = coin.SoAnnotation()
+        light, color, style = coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
+        light.model = coin.SoLightModel.BASE_COLOR
+        color.rgb = MATCH_COLOR
+        style.linePattern = DOTTED
+        self._points, self._lines, self._dots = coin.SoCoordinate3(), coin.SoLineSet(), coin.SoMarkerSet()
+        self._dots.markerIndex = coin.SoMarkerSet.CIRCLE_FILLED_7_7
+        for node in (light, color, style, self._points, self._lines, self._dots):
+            self.root.addChild(node)
+        self.show([])
+
+    def show(self, points) -> None:
+        """Two by two."""
+        self._lines.numVertices.setNum(0)
+        _set_vectors(self._points.point, points)
+        self._dots.numPoints = len(points)
+        if points:
+            self._lines.numVertices.setValues(0, len(points) // 2, [2] * (len(points) // 2))
 
 
 def _set_vectors(field, vectors) -> None:

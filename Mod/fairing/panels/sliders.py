@@ -78,3 +78,13 @@ class ReachSlider(NumberSlider):
     def _position(self, value: float) -> int:
         share = math.log(value) / math.log(FARTHEST) if value > 0.0 else -1.0
         return round(min(max(share, -1.0), 1.0) * self._slider.maximum())
+
+
+class ShareSlider(NumberSlider):
+    """A share that is even on either side of 0: the slider runs from -n to n, the value from -0.5 to 0.5."""
+
+    def _value(self, position: int) -> float:
+        return round(0.5 * position / self._slider.maximum(), 3)
+
+    def _position(self, value: float) -> int:
+        return round(2.0 * value * self._slider.maximum())
