@@ -74,6 +74,41 @@ def rounded_corner() -> tuple:
     return shape, fairing.holes(shape)[0]
 
 
+def rims(shape: Part.Shape, points: list) -> list:
+    """The names of the edges nearest to points."""
+    return [f"Edge{1 + min(range(len(shape.Edges)), key=lambda k: shape.Edges[k].distToShape(Part.Vertex(p))[0])}"
+            for p in points]
+
+
+def three_pipes() -> tuple:
+    """Three pipes of different width whose axes meet; their inner rims."""
+    walls, points = [], []
+    for axis, radius in (((1, 0.1, 0.1), 15), ((-0.5, 0.85, -0.1), 13), ((-0.5, -0.85, 0.15), 11)):
+        axis = App.Vector(*axis).normalize()
+        circle = Part.makeCircle(radius, 42 * axis, axis)
+        walls.append(circle.extrude(24 * axis))
+        points.append(circle.valueAt(math.pi))
+    shape = Part.makeCompound(walls)
+    return shape, rims(shape, points)
+
+
+def two_frames() -> tuple:
+    """Two rectangular ducts of different size, one above the other and turned a little."""
+    def duct(width, depth, z, turn):
+        wire = Part.makePolygon([App.Vector(x * width, y * depth, 0) for x, y in
+                                 ((1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1))])
+        walls = wire.extrude(App.Vector(0, 0, 18))
+        walls.rotate(App.Vector(), App.Vector(0, 0, 1), turn)
+        walls.translate(App.Vector(0, 0, z))
+        return walls
+
+    low, high = duct(26, 18, 0, 0), duct(14, 14, 56, 15)
+    shape = Part.makeCompound([low, high])
+    sides = [[f"Edge{k}" for k, edge in enumerate(shape.Edges, 1)
+              if all(abs(vertex.Point.z - z) < 1e-6 for vertex in edge.Vertexes)] for z in (18, 56)]
+    return shape, sides
+
+
 def isolines(face: Part.Face) -> Part.Shape:
     """Lines of constant u and v of a patch, without its borders; of a trimmed face what lies on it."""
     surface = face.Surface
@@ -102,10 +137,19 @@ def look(view, turn: float, tilt: float):
         App.Rotation(App.Vector(1, 0, 0), tilt)))
 
 
-def picture(name: str, base: Part.Shape, edges: list, turn: float, tilt: float, margin=1.1, **options):
-    """Fills, shows, saves; the camera is turned about z and tilted from above, degrees; margin is the
-    height of the picture over that of the patches."""
-    filled, report = fairing.fill(base, edges=edges, **options)
+def fill_picture(name: str, base: Part.Shape, edges: list, turn: float, tilt: float, margin=1.1, **options):
+    """Fills a hole and shows it."""
+    picture(name, base, *fairing.fill(base, edges=edges, **options), turn, tilt, margin)
+
+
+def blend_picture(name: str, base: Part.Shape, edges: list, turn: float, tilt: float, margin=1.1, **options):
+    """Blends from the first edge to the others and shows it."""
+    picture(name, base, *fairing.blend(base, edges[:1], edges[1:], **options), turn, tilt, margin)
+
+
+def picture(name: str, base: Part.Shape, filled: Part.Shape, report: dict, turn: float, tilt: float, margin: float):
+    """Shows, saves; the camera is turned about z and tilted from above, degrees; margin is the height of the picture
+    over that of the patches."""
     print(f"{name}: {report['layout']}, {len(filled.Faces)} patches, within tolerance: {report['within_tolerance']}")
     document = App.newDocument(name)
     show(document, "Base", base, GREY, 1.5)
@@ -164,12 +208,15 @@ def blend_panel():
 
 def main():
     gui.start()
-    picture("star_fill", *rounded_corner(), turn=118, tilt=50, margin=1.4)
-    picture("star_fill_pentagon", *with_hole(pentagon()), turn=-25, tilt=48)
-    picture("star_fill_l", *with_hole(l_shape()), turn=-25, tilt=48, layout="star")
-    picture("o_grid_fill", *with_hole(circle()), turn=-25, tilt=48)
+    fill_picture("star_fill", *rounded_corner(), turn=118, tilt=50, margin=1.4)
+    fill_picture("star_fill_pentagon", *with_hole(pentagon()), turn=-25, tilt=48)
+    fill_picture("star_fill_l", *with_hole(l_shape()), turn=-25, tilt=48, layout="star")
+    fill_picture("o_grid_fill", *with_hole(circle()), turn=-25, tilt=48)
+    blend_picture("junction", *three_pipes(), turn=25, tilt=40, margin=1.7)
+    frames, (low, high) = two_frames()
+    picture("strip_blend", frames, *fairing.blend(frames, low, high), turn=25, tilt=62, margin=1.7)
     blend_panel()
-    picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
+    fill_picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
 
 
 main()
