@@ -148,7 +148,7 @@ class Shape:
         to_setback: float = 0.0,
         match: str = "auto",
         alignment: float = 0.0,
-        pairs: Sequence[tuple[int, int]] = (),
+        pairs: Sequence[tuple[int, int]] = [],
         energy: str = "mean-curvature-gradient",
         tolerance: Optional[float] = None,
         angle: float = 0.02,
