@@ -212,9 +212,9 @@ def main():
     fill_picture("star_fill_pentagon", *with_hole(pentagon()), turn=-25, tilt=48)
     fill_picture("star_fill_l", *with_hole(l_shape()), turn=-25, tilt=48, layout="star")
     fill_picture("o_grid_fill", *with_hole(circle()), turn=-25, tilt=48)
-    blend_picture("junction", *three_pipes(), turn=25, tilt=40, margin=1.7)
+    blend_picture("junction", *three_pipes(), turn=25, tilt=40, margin=1.25)
     frames, (low, high) = two_frames()
-    picture("strip_blend", frames, *fairing.blend(frames, low, high), turn=25, tilt=62, margin=1.7)
+    picture("strip_blend", frames, *fairing.blend(frames, low, high), turn=25, tilt=62, margin=1.3)
     blend_panel()
     fill_picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
 
