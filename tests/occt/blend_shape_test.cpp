@@ -232,6 +232,20 @@ TEST(BlendShape, TakesChainsOfSmoothEdgesAndAnyStart) {
   EXPECT_LT(apart(blend, whole), 1e-5 * whole.fill.report.diagonal);
 }
 
+// Where the strip starts and where two edges of a rim meet are one place but for rounding.
+TEST(BlendShape, StartsWhereEdgesOfARimMeet) {
+  const Handle(Geom_Surface) wide = new Geom_CylindricalSurface(upright(0), 10.0);
+  const TopoDS_Shape shape =
+      compound({grid(wide, {0.0, 0.5 * kRound, kRound}, {0.0, 20.0}, {}, Joint::Loose),
+                pipe(6.0, 35.0, 50.0)});
+  const auto edges = edgesNear(ShapeIndex(shape), {{0, 10, 20}, {0, -10, 20}, {-6, 0, 35}});
+  for (const auto& [from, to] : {std::pair{std::vector{edges[2]}, std::vector{edges[0], edges[1]}},
+                                 {{edges[0], edges[1]}, {edges[2]}}}) {
+    const ShapeFill blend = blended(shape, {.from = from, .to = to});
+    EXPECT_TRUE(blend.fill.report.withinTolerance);
+  }
+}
+
 TEST(BlendShape, ReachesAsFarAsAskedAndStaysTangent) {
   const TopoDS_Shape shape = coaxialPipes();
   const ShapeIndex index(shape);

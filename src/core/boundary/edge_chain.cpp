@@ -108,7 +108,8 @@ bool closesSmoothly(const Link& before, const Link& after) {
          (tangent(1.0) - tangent(0.0)).norm() < kSame;
 }
 
-// The edges' breaks, and one at every joint.
+// The edges' breaks, and one at every joint. Next to an end a break is the end, reached but for
+// rounding: a chain cut where two edges meet begins with a crumb of the one before.
 std::vector<CurveBreak> breaksOf(const std::vector<Link>& links, double length) {
   std::vector<CurveBreak> breaks;
   for (const Link& link : links) {
@@ -118,6 +119,8 @@ std::vector<CurveBreak> breaksOf(const std::vector<Link>& links, double length) 
     if (&link != &links.back() && !closesSmoothly(link, *(&link + 1)))
       breaks.push_back({link.stretch.end, 1});
   }
+  constexpr double kCrumb = 1e-6;
+  std::erase_if(breaks, [](const CurveBreak& b) { return b.t < kCrumb || b.t > 1.0 - kCrumb; });
   return breaks;
 }
 
