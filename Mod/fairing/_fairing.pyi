@@ -103,7 +103,7 @@ class Shape:
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,
-        max_poles: int = 4000,
+        max_poles: int = 2500,
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> Fill: ...
@@ -124,7 +124,7 @@ class Shape:
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,
-        max_poles: int = 4000,
+        max_poles: int = 2500,
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> FillAll: ...
@@ -153,7 +153,7 @@ class Shape:
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,
-        max_poles: int = 4000,
+        max_poles: int = 2500,
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> Blend: ...

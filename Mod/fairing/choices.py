@@ -41,7 +41,7 @@ class Choices:
     gap_tolerance: Optional[float] = None  # mm; None: a millionth of the hole's diagonal
     angle_tolerance: float = 0.02  # degrees
     degree: int = 0  # 0: chosen from the edges
-    max_poles: int = 4000
+    max_poles: int = 2500
     result: str = "patches"
 
     NOT_SCRIPTED = ("reference",)  # members that scripts give in another way

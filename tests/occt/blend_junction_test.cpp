@@ -121,7 +121,7 @@ TEST(BlendJunction, JoinsThreeSkewPipesTangentially) {
 TEST(BlendJunction, MeetsCurvatureWhereAsked) {
   const TopoDS_Shape shape = shapeOf(skewPipes());
   BlendOptions options;
-  options.fill.maxPoles = 2500;  // a round less, for a test that does not last
+  options.fill.maxPoles = 1250;  // a round less, for a test that does not last
   const auto blend = blendShape(
       ShapeIndex(shape), rimsOf(shape, skewPipes(), Continuity::G2), options, ResultMode::Patches);
   ASSERT_TRUE(blend.has_value());

@@ -20,12 +20,13 @@ Result<FillResult> blendLoops(const boundary::BoundaryLoop& loop,
     if (options.leaving[side] != boundary::Leaving::Onwards)
       return fail({.code = ErrorCode::JunctionWish, .detail = "flip"});
   }
-  boundary::BoundaryLoop target = followedLoop(loop, options.fill.tolerance);
+  FillOptions fill = options.fill;
+  fill.maxPoles *= 2;  // front and back: two stars, each as large as a hole
+  boundary::BoundaryLoop target = followedLoop(loop, fill.tolerance);
   auto plan = layout::junctionPlan(target);
   if (!plan) return fail(plan.error());
   analysis::LoopProbe probe = analysis::probeLoop(loop, target);
-  return spanPlan(
-      {loop, std::move(target), std::move(probe), std::move(*plan)}, options.fill, progress);
+  return spanPlan({loop, std::move(target), std::move(probe), std::move(*plan)}, fill, progress);
 }
 
 }  // namespace fairing

@@ -22,7 +22,7 @@ struct FillOptions {
   Tolerance tolerance;
   int degree = 0;          ///< 0 = chosen from the edges; else 3 to 9, never below the edges' own
   int maxRefinements = 6;  ///< solves after the first one
-  int maxPoles = 4000;     ///< largest number of control points of all patches
+  int maxPoles = 2500;     ///< largest number of control points of all patches
 };
 
 /// The first thing wrong with the options, if any: ToleranceNotPositive, AngleNotPositive,
