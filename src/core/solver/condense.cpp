@@ -189,6 +189,7 @@ Condensation::Condensation(const QuadraticProgram& program) {
     if (!isRegular_) return;
     parts_.push_back(part);
     const auto m = static_cast<Index>(part->others.size());
+    if (m == 0) continue;  // all beside it is fixed
     MatrixXd lost = MatrixXd::Zero(m, m);
     lost.selfadjointView<Eigen::Lower>().rankUpdate(part->reach.transpose());
     const Points pulled = part->reach.transpose() * part->own;
@@ -224,7 +225,9 @@ Points Condensation::expanded(const Points& rest) const {
     Points others(static_cast<Index>(part->others.size()), 3);
     for (std::size_t b = 0; b < part->others.size(); ++b)
       others.row(static_cast<Index>(b)) = all.row(part->others[b]);
-    const Points inner = part->factor.otherHalf(part->own - part->reach * others);
+    Points right = part->own;
+    if (others.rows() > 0) right -= part->reach * others;
+    const Points inner = part->factor.otherHalf(right);
     for (std::size_t i = 0; i < part->inner.size(); ++i)
       all.row(part->inner[i]) = inner.row(static_cast<Index>(i));
   }
