@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/blend/blend_chains.h"
+#include "core/blend/blend_options.h"
 #include "core/span/fill_options.h"
 #include "occt/picks.h"
 #include "occt/read_chains.h"

@@ -82,21 +82,21 @@ class NearSides {
 };
 
 /// A note for every corner the blend has a crease from.
-void addCreases(const boundary::BoundaryLoop& sides, FillResult& blend) {
+void addCreases(const boundary::BoundaryLoop& sides, std::vector<Note>& notes) {
   for (std::size_t k = 0; k < sides.sides.size(); ++k)
     if (const boundary::Corner& corner = sides.corners[k]; corner.crease && !corner.apart)
-      blend.report.notes.push_back({NoteCode::StripCreased,
-                                    sides.sides[k].edge,
-                                    corner.point,
-                                    corner.normalsAgree(1.0) ? 0.0 : corner.normalMismatch});
+      notes.push_back({NoteCode::StripCreased,
+                       sides.sides[k].edge,
+                       corner.point,
+                       corner.normalsAgree(1.0) ? 0.0 : corner.normalMismatch});
 }
 
-void addNote(FillResult& blend,
+void addNote(std::vector<Note>& notes,
              NoteCode code,
              const std::vector<Vector3d>& crossings,
              int face = 0) {
   if (const auto size = analysis::sizeOf(crossings))
-    blend.report.notes.push_back({code, 0, size->where, size->extent, face});
+    notes.push_back({code, 0, size->where, size->extent, face});
 }
 
 /// The solid a face belongs to, if any.
@@ -126,32 +126,35 @@ void addOverlap(const ShapeIndex& index,
                 const std::vector<std::pair<int, TriangleTree>>& trees,
                 const std::set<int>& first,
                 const std::set<int>& second,
-                FillResult& blend) {
+                std::vector<Note>& notes) {
   std::vector<Vector3d> crossings;
   for (const auto& [a, treeA] : trees)
     for (const auto& [b, treeB] : trees) {
       if (a == b || !first.contains(a) || !second.contains(b)) continue;
       for (const Vector3d& p : treeA.crossings(treeB, Touches::DoNotCount)) crossings.push_back(p);
     }
-  if (!crossings.empty()) return addNote(blend, NoteCode::BasesOverlap, crossings);
+  if (!crossings.empty()) return addNote(notes, NoteCode::BasesOverlap, crossings);
   const auto pointOf = [&](std::size_t side) {
     return pair.sides.sides[side].ribbon.curve(0.5).point;
   };
   const Vector3d a = pointOf(0), b = pointOf(pair.firstCount);
   if (isInside(index, second, a))
-    addNote(blend, NoteCode::BasesOverlap, {a});
+    addNote(notes, NoteCode::BasesOverlap, {a});
   else if (isInside(index, first, b))
-    addNote(blend, NoteCode::BasesOverlap, {b});
+    addNote(notes, NoteCode::BasesOverlap, {b});
 }
 
 }  // namespace
 
-void addBlendNotes(const ShapeIndex& index, const boundary::ChainPair& pair, FillResult& blend) {
-  addCreases(pair.sides, blend);
-  if (const auto fold = analysis::findFold(blend.patches))
-    blend.report.notes.push_back({NoteCode::StripFolds, 0, fold->where, fold->share, 0});
-  const TriangleTree strip(analysis::meshOf(blend.patches));
-  addNote(blend, NoteCode::CutsItself, strip.ownCrossings());
+std::vector<Note> blendNotes(const ShapeIndex& index,
+                             const boundary::ChainPair& pair,
+                             const std::vector<spline::BsplineSurface>& patches) {
+  std::vector<Note> notes;
+  addCreases(pair.sides, notes);
+  if (const auto fold = analysis::findFold(patches))
+    notes.push_back({NoteCode::StripFolds, 0, fold->where, fold->share, 0});
+  const TriangleTree strip(analysis::meshOf(patches));
+  addNote(notes, NoteCode::CutsItself, strip.ownCrossings());
   const auto first = facesBeside(pair, 0, pair.firstCount);
   const auto second = facesBeside(pair, pair.firstCount, pair.sides.sides.size());
   std::set<int> all = first;
@@ -162,8 +165,9 @@ void addBlendNotes(const ShapeIndex& index, const boundary::ChainPair& pair, Fil
   const NearSides nearSides(pair.sides);
   for (const auto& [face, tree] : trees)
     addNote(
-        blend, NoteCode::CutsFace, nearSides.farFrom(strip.crossings(tree, Touches::Count)), face);
-  addOverlap(index, pair, trees, first, second, blend);
+        notes, NoteCode::CutsFace, nearSides.farFrom(strip.crossings(tree, Touches::Count)), face);
+  addOverlap(index, pair, trees, first, second, notes);
+  return notes;
 }
 
 }  // namespace fairing::occt

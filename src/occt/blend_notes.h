@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <vector>
+
+#include "core/analysis/continuity_report.h"
 #include "core/boundary/side_chain.h"
-#include "core/span/fill_result.h"
+#include "core/spline/bspline_surface.h"
 #include "occt/shape_index.h"
 
 namespace fairing::occt {
 
-/// Adds to a blend's report what is wrong with it as a surface in its place: where it folds, cuts
-/// through itself or through the faces it joins, and where these overlap. By triangles whose
-/// distance from the surfaces is below 0.2 % of the blend's diagonal; what happens within 1 % of
-/// the joined edges is not seen.
-void addBlendNotes(const ShapeIndex& index, const boundary::ChainPair& pair, FillResult& blend);
+/// What is wrong with a blend as a surface in its place: where it has creases, folds, cuts through
+/// itself or through the faces it joins, and where these overlap. By triangles whose distance from
+/// the surfaces is below 0.2 % of the blend's diagonal; what happens within 1 % of the joined edges
+/// is not seen.
+[[nodiscard]] std::vector<analysis::Note> blendNotes(
+    const ShapeIndex& index,
+    const boundary::ChainPair& pair,
+    const std::vector<spline::BsplineSurface>& patches);
 
 }  // namespace fairing::occt

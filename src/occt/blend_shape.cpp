@@ -13,48 +13,58 @@
 namespace fairing::occt {
 namespace {
 
-/// The base of a blend, and the user's numbers for its edges.
+/// The base of a blend, and the user's numbers for its edges and faces.
 struct Base {
   const ShapeIndex& index;
-  const BlendPicks& picks;
-  UserNumbers users;
+  UserNumbers users = {};
 };
 
-/// What was spanned, in the base's own numbers, and how.
-struct Spanned {
-  boundary::BoundaryLoop sides;
-  Blend blend;
-};
-
-Result<Spanned> strip(const Base& base, const BlendOptions& options, Progress* progress) {
-  const auto pair = readChains(base.index, base.picks);
-  if (!pair) return fail(pair.error());
-  boundary::ChainPair named = *pair;
-  named.sides = inNumbersOf(std::move(named.sides), base.users);
-  auto made = blendChains(named, options, progress);
-  if (!made) return fail(made.error());
-  addBlendNotes(base.index, *pair, made->fill);
-  return Spanned{pair->sides, std::move(*made)};
-}
-
-Result<Spanned> junction(const Base& base, const BlendOptions& options, Progress* progress) {
-  auto loops = readLoops(base.index, base.picks);
-  if (!loops) return fail(loops.error());
-  auto made = blendLoops(*loops, options, progress);
-  if (!made) return fail(made.error());
-  return Spanned{std::move(*loops), {std::move(*made), nullptr}};
-}
-
-Result<ShapeBlend> joined(const Base& base, Spanned spanned, ResultMode mode) {
-  FillResult& fill = spanned.blend.fill;
-  boundary::BoundaryLoop named = inNumbersOf(spanned.sides, base.users);
+/// `sides` in the base's own numbers.
+Result<ShapeBlend> joined(const Base& base,
+                          const boundary::BoundaryLoop& sides,
+                          Blend blend,
+                          ResultMode mode) {
+  FillResult& fill = blend.fill;
+  boundary::BoundaryLoop named = inNumbersOf(sides, base.users);
   addSingularSupports(named, fill.report);
   const auto faces = makeFaces(fill);
   if (!faces) return fail(faces.error());
-  const auto shape =
-      joinResult(base.index, {}, {{*faces, spanned.sides, fill.report.largestGap}}, mode);
+  const auto shape = joinResult(base.index, {}, {{*faces, sides, fill.report.largestGap}}, mode);
   if (!shape) return fail(inNumbersOf(shape.error(), base.users));
-  return ShapeBlend{{*shape, std::move(fill), std::move(named)}, std::move(spanned.blend.natural)};
+  return ShapeBlend{{*shape, std::move(fill), std::move(named)}, std::move(blend.natural)};
+}
+
+Result<ShapeBlend> strip(const Base& base,
+                         const boundary::ChainPair& pair,
+                         const BlendOptions& options,
+                         ResultMode mode,
+                         Progress* progress) {
+  boundary::ChainPair named = pair;
+  named.sides = inNumbersOf(std::move(named.sides), base.users);
+  auto blend = blendChains(named, options, progress);
+  if (!blend) return fail(blend.error());
+  for (const analysis::Note& note : blendNotes(base.index, pair, blend->fill.patches))
+    blend->fill.report.notes.push_back(inNumbersOf(note, base.users));
+  return joined(base, pair.sides, std::move(*blend), mode);
+}
+
+/// What is wished of two chains alone, if anything.
+const char* wishOfPair(const BlendPicks& picks) {
+  if (picks.setback != std::array<double, 2>{}) return "setback";
+  if (!picks.pairs.empty()) return "pairs of vertices";
+  if (picks.alignment != 0.0) return "alignment";
+  if (picks.match != boundary::MatchKind::Auto) return "matching";
+  return nullptr;
+}
+
+Result<ShapeBlend> junction(const Base& base,
+                            const boundary::BoundaryLoop& ring,
+                            const BlendOptions& options,
+                            ResultMode mode,
+                            Progress* progress) {
+  auto made = blendLoops(ring, options, progress);
+  if (!made) return fail(made.error());
+  return joined(base, ring, {std::move(*made), nullptr}, mode);
 }
 
 }  // namespace
@@ -65,21 +75,22 @@ Result<ShapeBlend> blendShape(const ShapeIndex& index,
                               ResultMode mode,
                               Progress* progress) {
   if (const auto error = validate(options)) return fail(*error);
-  const auto blendOn = [&](const Base& base, auto span) -> Result<ShapeBlend> {
-    auto spanned = span(base, options, progress);
-    if (!spanned) return fail(spanned.error());
-    return joined(base, std::move(*spanned), mode);
-  };
+  const auto sides = readBlend(index, picks);
+  if (!sides) return fail(sides.error());
+  if (const auto* ring = std::get_if<boundary::BoundaryLoop>(&*sides)) {
+    if (const char* wish = wishOfPair(picks))
+      return fail({.code = ErrorCode::JunctionWish, .detail = wish});
+    return junction({index}, *ring, options, mode, progress);
+  }
+  const auto& pair = std::get<boundary::ChainPair>(*sides);
   const bool isSetBack = picks.setback != std::array<double, 2>{};
-  const auto several = meansJunction(index, picks);
-  if (!several) return fail(several.error());
-  if (*several && isSetBack) return fail({.code = ErrorCode::JunctionWish, .detail = "setback"});
-  if (*several) return blendOn({index, picks, {}}, junction);
-  if (!isSetBack) return blendOn({index, picks, {}}, strip);
+  if (!isSetBack) return strip({index}, pair, options, mode, progress);
   if (!picks.pairs.empty()) return fail({.code = ErrorCode::SetbackPairs});
-  const auto trimmed = trimBack(index, picks);
+  const auto trimmed = trimBack(index, picks, pair);
   if (!trimmed) return fail(trimmed.error());
-  return blendOn({trimmed->index, trimmed->picks, trimmed->users}, strip);
+  const auto inner = readChains(trimmed->index, trimmed->picks);
+  if (!inner) return fail(inner.error());
+  return strip({trimmed->index, trimmed->users}, *inner, options, mode, progress);
 }
 
 Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {

@@ -239,55 +239,57 @@ class VertexFinder {
   TopTools_IndexedMapOfShape vertices_;
 };
 
+Result<boundary::ChainPair> pairOf(const ShapeIndex& index,
+                                   const BorderGraph& graph,
+                                   const BlendPicks& picks) {
+  const auto chains = chainsOf(index, graph, {picks.from, picks.to}, picksOf(picks));
+  if (!chains) return fail(chains.error());
+  auto pair = boundary::pairChains(chains->front(), chains->back());
+  if (!pair) return pair;
+  if (const auto stray = strayWish(picksOf(picks), pair->sides.sides)) return fail(*stray);
+  pair->match = {picks.match, picks.alignment, {}};
+  const VertexFinder finder(index, *pair);
+  for (const auto& [a, b] : picks.pairs) {
+    const auto joint = finder.pairOf(a, b);
+    if (!joint) return fail(joint.error());
+    pair->match.pairs.push_back(*joint);
+  }
+  return pair;
+}
+
+/// The first side's chain and those of the second one where they are several, all closed; else
+/// nothing.
+std::vector<SideChain> loopsOf(const ShapeIndex& index,
+                               const BorderGraph& graph,
+                               const BlendPicks& picks) {
+  auto groups = groupsOf(index, graph, picks.to);
+  if (!groups || groups->size() < 2) return {};
+  groups->insert(groups->begin(), picks.from);
+  auto chains = chainsOf(index, graph, *groups, picksOf(picks));
+  const auto isClosed = [](const SideChain& chain) { return chain.closed; };
+  if (!chains || !std::all_of(chains->begin() + 1, chains->end(), isClosed)) return {};
+  return std::move(*chains);
+}
+
 }  // namespace
 
 Result<boundary::ChainPair> readChains(const ShapeIndex& index, const BlendPicks& picks) {
   return guarded([&]() -> Result<boundary::ChainPair> {
     if (const auto wrong = checkSides(picks)) return fail(*wrong);
-    const BorderGraph graph = BorderGraph::build(index, {});
-    const auto chains = chainsOf(index, graph, {picks.from, picks.to}, picksOf(picks));
-    if (!chains) return fail(chains.error());
-    auto pair = boundary::pairChains(chains->front(), chains->back());
-    if (!pair) return pair;
-    if (const auto stray = strayWish(picksOf(picks), pair->sides.sides)) return fail(*stray);
-    pair->match = {picks.match, picks.alignment, {}};
-    const VertexFinder finder(index, *pair);
-    for (const auto& [a, b] : picks.pairs) {
-      const auto joint = finder.pairOf(a, b);
-      if (!joint) return fail(joint.error());
-      pair->match.pairs.push_back(*joint);
-    }
-    return pair;
+    return pairOf(index, BorderGraph::build(index, {}), picks);
   });
 }
 
-Result<boundary::BoundaryLoop> readLoops(const ShapeIndex& index, const BlendPicks& picks) {
-  return guarded([&]() -> Result<boundary::BoundaryLoop> {
+Result<BlendSides> readBlend(const ShapeIndex& index, const BlendPicks& picks) {
+  return guarded([&]() -> Result<BlendSides> {
     if (const auto wrong = checkSides(picks)) return fail(*wrong);
     const BorderGraph graph = BorderGraph::build(index, {});
-    auto groups = groupsOf(index, graph, picks.to);
-    if (!groups) return fail(groups.error());
-    groups->insert(groups->begin(), picks.from);
-    const auto chains = chainsOf(index, graph, *groups, picksOf(picks));
-    if (!chains) return fail(chains.error());
-    auto loop = boundary::ringOfLoops(*chains);
-    if (!loop) return loop;
-    if (const auto stray = strayWish(picksOf(picks), loop->sides)) return fail(*stray);
-    return loop;
-  });
-}
-
-Result<bool> meansJunction(const ShapeIndex& index, const BlendPicks& picks) {
-  return guarded([&]() -> Result<bool> {
-    if (picks.from.empty() || picks.to.empty()) return false;
-    const BorderGraph graph = BorderGraph::build(index, {});
-    const auto groups = groupsOf(index, graph, picks.to);
-    if (!groups) return fail(groups.error());
-    if (groups->size() < 2) return false;
-    const auto chains = chainsOf(index, graph, *groups, picksOf(picks));
-    return chains && std::all_of(chains->begin(), chains->end(), [](const SideChain& chain) {
-             return chain.closed;
-           });
+    const std::vector<SideChain> loops = loopsOf(index, graph, picks);
+    if (loops.empty()) return pairOf(index, graph, picks);
+    auto ring = boundary::ringOfLoops(loops);
+    if (!ring) return fail(ring.error());
+    if (const auto stray = strayWish(picksOf(picks), ring->sides)) return fail(*stray);
+    return std::move(*ring);
   });
 }
 

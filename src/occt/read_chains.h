@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <map>
+#include <variant>
 #include <vector>
 
 #include "core/base/result.h"
@@ -33,13 +34,13 @@ struct BlendPicks {
 [[nodiscard]] Result<boundary::ChainPair> readChains(const ShapeIndex& index,
                                                      const BlendPicks& picks);
 
-/// Whether the picks mean a junction: edges of the second side that make several closed chains.
-[[nodiscard]] Result<bool> meansJunction(const ShapeIndex& index, const BlendPicks& picks);
+/// What a blend joins: two chains, or the ring of three closed ones and more.
+using BlendSides = std::variant<boundary::ChainPair, boundary::BoundaryLoop>;
 
-/// The closed chains of both sides' picks as a ring, each extended as readChains() does. Fails with
-/// its codes and those of boundary::ringOfLoops().
-[[nodiscard]] Result<boundary::BoundaryLoop> readLoops(const ShapeIndex& index,
-                                                       const BlendPicks& picks);
+/// What the picks mean: a ring where the edges of the second side make several chains, all of them
+/// closed, each extended as readChains() does; else two chains. Fails with the codes of
+/// readChains() and boundary::ringOfLoops().
+[[nodiscard]] Result<BlendSides> readBlend(const ShapeIndex& index, const BlendPicks& picks);
 
 /// One side of a blend.
 struct WholeChain {

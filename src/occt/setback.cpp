@@ -32,19 +32,11 @@ struct Cut {
   std::vector<TopoDS_Edge> tools;
 };
 
-std::size_t chainOf(const ChainPair& pair, std::size_t side) {
-  return side < pair.firstCount ? 0 : 1;
-}
-
 /// The side before (step -1) or after (+1) in its chain; nothing at an open end.
 std::optional<std::size_t> neighbour(const ChainPair& pair, std::size_t side, int step) {
-  const std::size_t first = chainOf(pair, side) == 0 ? 0 : pair.firstCount;
-  const std::size_t count =
-      chainOf(pair, side) == 0 ? pair.firstCount : pair.sides.sides.size() - pair.firstCount;
-  const std::size_t at = side - first;
-  const bool isEnd = step > 0 ? at + 1 == count : at == 0;
-  if (isEnd && !pair.closed) return std::nullopt;
-  return first + (at + count + std::size_t(step + int(count))) % count;
+  const std::size_t before = step > 0 ? side : pair.sides.previous(side);
+  if (pair.sides.corners[before].apart) return std::nullopt;
+  return step > 0 ? pair.sides.next(side) : before;
 }
 
 const EdgeUse* useIn(const ShapeIndex& index, int edge, int face) {
@@ -77,7 +69,7 @@ Result<Cut> cutOf(const ShapeIndex& index, const ChainPair& pair, std::size_t k,
     error.where = side.ribbon.curve(0.5).point;
     return fail(error);
   }
-  return Cut{side.edge, side.face, chainOf(pair, k), std::move(*tools)};
+  return Cut{side.edge, side.face, pair.chainOf(k), std::move(*tools)};
 }
 
 /// What shapes have become.
@@ -155,7 +147,7 @@ class Trimming {
     for (std::size_t k = 0; k < pair.sides.sides.size(); ++k)
       for (const auto& [number, user] : base.users.edges)
         if (user == pair.sides.sides[k].edge)
-          (chainOf(pair, k) == 0 ? base.picks.from : base.picks.to).push_back(number);
+          (pair.chainOf(k) == 0 ? base.picks.from : base.picks.to).push_back(number);
     if (const auto stray = translate(picks.edgeContinuity, base)) return fail(*stray);
     return base;
   }
@@ -191,21 +183,29 @@ void rename(int& number, const std::map<int, int>& users) {
   if (const auto found = users.find(number); found != users.end()) number = found->second;
 }
 
+/// Of what names an edge and a face: a side, a failure, a note.
+template <class Named>
+Named renamed(Named named, const UserNumbers& users) {
+  rename(named.edge, users.edges);
+  rename(named.face, users.faces);
+  return named;
+}
+
 }  // namespace
 
-Result<TrimmedBase> trimBack(const ShapeIndex& index, const BlendPicks& picks) {
+Result<TrimmedBase> trimBack(const ShapeIndex& index,
+                             const BlendPicks& picks,
+                             const boundary::ChainPair& pair) {
   for (const double setback : picks.setback)
     if (!(setback >= 0.0)) return fail({.code = ErrorCode::SetbackNegative, .value = setback});
   return guarded([&]() -> Result<TrimmedBase> {
-    const auto pair = readChains(index, picks);
-    if (!pair) return fail(pair.error());
     std::vector<Cut> cuts;
     TopTools_ListOfShape shapes, tools;
     shapes.Append(index.shape());
-    for (std::size_t k = 0; k < pair->sides.sides.size(); ++k) {
-      const double distance = picks.setback[chainOf(*pair, k)];
+    for (std::size_t k = 0; k < pair.sides.sides.size(); ++k) {
+      const double distance = picks.setback[pair.chainOf(k)];
       if (!(distance > 0.0)) continue;
-      auto cut = cutOf(index, *pair, k, distance);
+      auto cut = cutOf(index, pair, k, distance);
       if (!cut) return fail(cut.error());
       for (const TopoDS_Edge& tool : cut->tools) tools.Append(tool);
       cuts.push_back(std::move(*cut));
@@ -217,22 +217,21 @@ Result<TrimmedBase> trimBack(const ShapeIndex& index, const BlendPicks& picks) {
     splitter.Build();
     if (splitter.HasErrors())
       return fail({.code = ErrorCode::Foreign, .detail = "the faces could not be set back"});
-    return Trimming(index, cuts, splitter).finish(picks, *pair);
+    return Trimming(index, cuts, splitter).finish(picks, pair);
   });
 }
 
 boundary::BoundaryLoop inNumbersOf(boundary::BoundaryLoop sides, const UserNumbers& users) {
-  for (BoundarySide& side : sides.sides) {
-    rename(side.edge, users.edges);
-    rename(side.face, users.faces);
-  }
+  for (BoundarySide& side : sides.sides) side = renamed(std::move(side), users);
   return sides;
 }
 
 Error inNumbersOf(Error error, const UserNumbers& users) {
-  rename(error.edge, users.edges);
-  rename(error.face, users.faces);
-  return error;
+  return renamed(std::move(error), users);
+}
+
+analysis::Note inNumbersOf(analysis::Note note, const UserNumbers& users) {
+  return renamed(note, users);
 }
 
 }  // namespace fairing::occt

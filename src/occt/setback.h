@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "core/analysis/continuity_report.h"
 #include "core/base/result.h"
 #include "core/boundary/boundary_loop.h"
 #include "occt/read_chains.h"
@@ -24,15 +25,18 @@ struct TrimmedBase {
   UserNumbers users;  ///< an edge that was set back gives its number to the curve it went to
 };
 
-/// Trims the faces beside the picked chains back by `picks.setback`: they are split along the
-/// curves at that distance (offset_curve.h), and what lies between these and the chains is left
-/// out. Fails with SetbackNegative, SetbackWithoutFace, SetbackTooLarge, EdgeNotInLoop for a wish
-/// about an edge that is cut off, and the codes of readChains().
-[[nodiscard]] Result<TrimmedBase> trimBack(const ShapeIndex& index, const BlendPicks& picks);
+/// Trims the faces beside the picked chains, `pair`, back by `picks.setback`: they are split along
+/// the curves at that distance (offset_curve.h), and what lies between these and the chains is left
+/// out. Fails with SetbackNegative, SetbackWithoutFace, SetbackTooLarge, and EdgeNotInLoop for a
+/// wish about an edge that is cut off.
+[[nodiscard]] Result<TrimmedBase> trimBack(const ShapeIndex& index,
+                                           const BlendPicks& picks,
+                                           const boundary::ChainPair& pair);
 
 /// For reports and failures that speak of the user's own edges and faces.
 [[nodiscard]] boundary::BoundaryLoop inNumbersOf(boundary::BoundaryLoop sides,
                                                  const UserNumbers& users);
 [[nodiscard]] Error inNumbersOf(Error error, const UserNumbers& users);
+[[nodiscard]] analysis::Note inNumbersOf(analysis::Note note, const UserNumbers& users);
 
 }  // namespace fairing::occt

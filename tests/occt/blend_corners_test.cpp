@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "occt/blend_shape.h"
+#include "occt/blends.h"
 #include "occt/from_occt.h"
 #include "occt/shapes.h"
 
@@ -59,18 +59,9 @@ BlendPicks framePicks() {
   return picksNear(twoFrames(), rim(10, 8, 10), rim(5, 6, 22));
 }
 
-Result<ShapeFill> tryBlend(const TopoDS_Shape& shape, const BlendPicks& picks) {
-  return blendShape(ShapeIndex(shape), picks, {}, ResultMode::Shell);
-}
-ShapeFill blended(const TopoDS_Shape& shape, const BlendPicks& picks) {
-  const auto result = tryBlend(shape, picks);
-  EXPECT_TRUE(result.has_value()) << (result ? 0 : int(result.error().code));
-  return result ? *result : ShapeFill{};
-}
-ErrorCode refusal(const TopoDS_Shape& shape, const BlendPicks& picks) {
-  const auto result = tryBlend(shape, picks);
-  EXPECT_FALSE(result.has_value());
-  return result ? ErrorCode::Foreign : result.error().code;
+/// As one shell.
+ShapeFill sewn(const TopoDS_Shape& shape, const BlendPicks& picks) {
+  return blended(shape, picks, ResultMode::Shell);
 }
 
 void expectTangent(const ShapeFill& blend) {
@@ -84,7 +75,7 @@ void expectTangent(const ShapeFill& blend) {
 }
 
 TEST(BlendCorners, JoinsTwoFramesFaceToFaceByPatchesThatMeetInCreases) {
-  const ShapeFill blend = blended(twoFrames(), framePicks());
+  const ShapeFill blend = sewn(twoFrames(), framePicks());
   expectTangent(blend);
   ASSERT_EQ(blend.fill.patches.size(), 4U);
   ASSERT_EQ(blend.fill.report.seams.size(), 4U);
@@ -108,17 +99,17 @@ TEST(BlendCorners, JoinsTwoFramesFaceToFaceByPatchesThatMeetInCreases) {
 TEST(BlendCorners, OfFramesMeetCurvatureWhereAsked) {
   BlendPicks picks = framePicks();
   picks.continuity = Continuity::G2;
-  const ShapeFill blend = blended(twoFrames(), picks);
+  const ShapeFill blend = sewn(twoFrames(), picks);
   expectTangent(blend);
   EXPECT_LT(blend.fill.report.largestCurvature, 0.01);
 }
 
 TEST(BlendCorners, DoNotDependOnWhichSideIsFirstNorOnTheFacesOrientation) {
-  const ShapeFill one = blended(twoFrames(), framePicks());
+  const ShapeFill one = sewn(twoFrames(), framePicks());
   const BlendPicks picks = framePicks();
-  const ShapeFill other = blended(twoFrames(), {.from = picks.to, .to = picks.from});
+  const ShapeFill other = sewn(twoFrames(), {.from = picks.to, .to = picks.from});
   const TopoDS_Shape turned = everySecondReversed(twoFrames());
-  const ShapeFill third = blended(turned, picksNear(turned, rim(10, 8, 10), rim(5, 6, 22)));
+  const ShapeFill third = sewn(turned, picksNear(turned, rim(10, 8, 10), rim(5, 6, 22)));
   const double limit = 1e-6 * one.fill.report.fairness.area;
   EXPECT_NEAR(area(one.shape), area(other.shape), limit);
   EXPECT_NEAR(area(one.shape), area(third.shape), limit);
@@ -133,7 +124,7 @@ TopoDS_Shape plateL(double near, double far, double z) {
 TEST(BlendCorners, OfOneChainInAPlaneGoOnSmoothly) {
   const TopoDS_Shape shape = compound({plateL(0, -5, 0), plateL(4, 10, 6)});
   const ShapeFill blend =
-      blended(shape, picksNear(shape, {{15, 0, 0}, {0, 15, 0}}, {{17, 4, 6}, {4, 17, 6}}));
+      sewn(shape, picksNear(shape, {{15, 0, 0}, {0, 15, 0}}, {{17, 4, 6}, {4, 17, 6}}));
   expectTangent(blend);
   ASSERT_EQ(blend.fill.report.seams.size(), 1U);
   EXPECT_FALSE(blend.fill.report.seams[0].crease);
@@ -146,7 +137,7 @@ TEST(BlendCorners, CutBothSidesWhereOnlyOneHasThem) {
                                       polygon({{0, 12, 0}, {12, 10, 0}, {12, 20, 0}, {0, 20, 0}})});
   const TopoDS_Shape shape = compound({smooth, bent});
   BlendPicks picks = picksNear(shape, {{0, 0, 14}}, {{-6, 11, 0}, {6, 11, 0}});
-  const ShapeFill blend = blended(shape, picks);
+  const ShapeFill blend = sewn(shape, picks);
   expectTangent(blend);
   EXPECT_EQ(blend.fill.patches.size(), 2U);
   picks.match = MatchKind::Corners;
@@ -155,9 +146,9 @@ TEST(BlendCorners, CutBothSidesWhereOnlyOneHasThem) {
 
 TEST(BlendCorners, AlignmentTurnsFramesByACorner) {
   BlendPicks picks = framePicks();
-  const ShapeFill plain = blended(twoFrames(), picks);
+  const ShapeFill plain = sewn(twoFrames(), picks);
   picks.alignment = 0.25;
-  const ShapeFill turned = blended(twoFrames(), picks);
+  const ShapeFill turned = sewn(twoFrames(), picks);
   EXPECT_EQ(plain.fill.matches.size(), 4U);
   for (const auto& [from, to] : plain.fill.matches)
     EXPECT_GT(from.head<2>().dot(to.head<2>()), 0.0);
@@ -184,7 +175,7 @@ TEST(BlendCorners, JoinTheVerticesThatAreGiven) {
   const int a = vertexNear(shape, {10, 8, 10}), b = vertexNear(shape, {-5, 6, 22});
   BlendPicks picks = framePicks();
   picks.pairs = {{a, b}};
-  const ShapeFill blend = blended(shape, picks);
+  const ShapeFill blend = sewn(shape, picks);
   EXPECT_EQ(blend.fill.patches.size(), 4U);
   EXPECT_LT(blend.fill.report.largestAngle, 0.02);
   const auto isPair = [](const auto& match) {
@@ -214,6 +205,19 @@ TEST(BlendCorners, RefuseWhatCannotBeMatched) {
   picks.pairs.clear();
   picks.alignment = 0.7;
   EXPECT_EQ(refusal(shape, picks), ErrorCode::AlignmentOutOfRange);
+}
+
+// The base of a blend that is set back has numbers of its own.
+TEST(BlendCorners, NotesOfASetBackBlendSpeakOfTheEdgesPicked) {
+  BlendPicks picks = framePicks();
+  picks.setback = {2.0, 1.0};
+  const ShapeFill blend = sewn(twoFrames(), picks);
+  std::vector<int> picked = picks.from;
+  picked.insert(picked.end(), picks.to.begin(), picks.to.end());
+  std::vector<int> told;
+  for (const analysis::Note& note : blend.fill.report.notes)
+    if (note.code == analysis::NoteCode::StripCreased) told.push_back(note.edge);
+  EXPECT_THAT(told, ::testing::UnorderedElementsAreArray(picked));
 }
 
 }  // namespace

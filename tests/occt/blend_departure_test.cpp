@@ -10,7 +10,7 @@
 
 #include "core/boundary/constraint_normal.h"
 #include "occt/bilinear.h"
-#include "occt/blend_shape.h"
+#include "occt/blends.h"
 #include "occt/shapes.h"
 #include "text/error_text.h"
 
@@ -35,32 +35,15 @@ Base base(const TopoDS_Shape& shape,
           const Vector3d& from,
           const Vector3d& to,
           Continuity continuity = Continuity::G1) {
-  const auto edges = edgesNear(ShapeIndex(shape), {from, to});
-  return {shape, {.from = {edges[0]}, .to = {edges[1]}, .continuity = continuity}};
-}
-
-Result<ShapeFill> tryBlend(const Base& b, const BlendOptions& options) {
-  return blendShape(ShapeIndex(b.shape), b.picks, options, ResultMode::Patches);
+  return {shape, between(shape, from, to, continuity)};
 }
 
 ShapeFill blended(const Base& b, const BlendOptions& options = {}) {
-  auto result = tryBlend(b, options);
-  EXPECT_TRUE(result.has_value()) << (result ? "" : text::sentence(result.error()));
-  return result ? *result : ShapeFill{};
+  return testing::blended(b.shape, b.picks, ResultMode::Patches, options);
 }
 
 ErrorCode refusal(const Base& b, const BlendOptions& options) {
-  const auto result = tryBlend(b, options);
-  EXPECT_FALSE(result.has_value());
-  return result ? ErrorCode::Foreign : result.error().code;
-}
-
-TopoDS_Shape pipe(const gp_Ax3& frame, double radius, double from, double to) {
-  return grid(
-      new Geom_CylindricalSurface(frame, radius), {0.0, kRound}, {from, to}, {}, Joint::Loose);
-}
-gp_Ax3 upright() {
-  return gp_Ax3(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
+  return testing::refusal(b.shape, b.picks, options);
 }
 
 /// A pipe of radius 5, and one of radius 9 beside its axis and tilted against it.

@@ -15,7 +15,7 @@
 #include <limits>
 #include <numbers>
 
-#include "occt/blend_shape.h"
+#include "occt/blends.h"
 #include "occt/from_occt.h"
 #include "occt/shapes.h"
 
@@ -68,33 +68,15 @@ BlendPicks rimsOf(const TopoDS_Shape& shape,
       .from = {edges.front()}, .to = {edges.begin() + 1, edges.end()}, .continuity = continuity};
 }
 
-ShapeFill joined(const TopoDS_Shape& shape,
-                 const BlendPicks& picks,
-                 ResultMode mode = ResultMode::Patches) {
-  auto result = blendShape(ShapeIndex(shape), picks, {}, mode);
-  EXPECT_TRUE(result.has_value()) << (result ? 0 : int(result.error().code));
-  return result ? *result : ShapeFill{};
-}
-
 ShapeFill joined(const std::vector<Pipe>& pipes) {
   const TopoDS_Shape shape = shapeOf(pipes);
-  return joined(shape, rimsOf(shape, pipes));
-}
-
-std::vector<Vector3d> pointsOf(const ShapeFill& blend) {
-  constexpr int kAlong = 3;
-  std::vector<Vector3d> points;
-  for (const auto& patch : blend.fill.patches)
-    for (int i = 0; i <= kAlong; ++i)
-      for (int j = 0; j <= kAlong; ++j)
-        points.push_back(patch.evaluate(patch.u.last() * i / kAlong, patch.v.last() * j / kAlong));
-  return points;
+  return blended(shape, rimsOf(shape, pipes));
 }
 
 /// Largest distance of the points of one junction from the faces of another.
 double apart(const ShapeFill& a, const ShapeFill& b) {
   double largest = 0.0;
-  for (const Vector3d& p : pointsOf(a)) {
+  for (const Vector3d& p : pointsOf(a, 3)) {
     double least = std::numeric_limits<double>::infinity();
     for (TopExp_Explorer face(b.shape, TopAbs_FACE); face.More(); face.Next()) {
       const GeomAPI_ProjectPointOnSurf foot(gp_Pnt(p.x(), p.y(), p.z()),
@@ -122,8 +104,8 @@ TEST(BlendJunction, MeetsCurvatureWhereAsked) {
   const TopoDS_Shape shape = shapeOf(skewPipes());
   BlendOptions options;
   options.fill.maxPoles = 1250;  // a round less, for a test that does not last
-  const auto blend = blendShape(
-      ShapeIndex(shape), rimsOf(shape, skewPipes(), Continuity::G2), options, ResultMode::Patches);
+  const auto blend =
+      tryBlend(shape, rimsOf(shape, skewPipes(), Continuity::G2), ResultMode::Patches, options);
   ASSERT_TRUE(blend.has_value());
   EXPECT_LT(blend->fill.report.largestCurvature, 0.05);
   EXPECT_LT(blend->fill.report.largestAngle, 0.02);
@@ -143,9 +125,9 @@ TEST(BlendJunction, OfThreeCapsOfASphereIsThatSphere) {
   }
   const TopoDS_Shape shape = compound(caps);
   const auto edges = edgesNear(ShapeIndex(shape), rims);
-  const ShapeFill blend = joined(shape, {.from = {edges[0]}, .to = {edges[1], edges[2]}});
+  const ShapeFill blend = blended(shape, {.from = {edges[0]}, .to = {edges[1], edges[2]}});
   EXPECT_TRUE(blend.fill.report.withinTolerance);
-  for (const Vector3d& p : pointsOf(blend))
+  for (const Vector3d& p : pointsOf(blend, 3))
     EXPECT_NEAR(p.norm(), radius, 1e-3 * blend.fill.report.diagonal);
 }
 
@@ -156,7 +138,7 @@ TEST(BlendJunction, DoesNotDependOnOrderNorOnOrientation) {
   EXPECT_LT(apart(one, joined({pipes[2], pipes[0], pipes[1]})), limit);
   EXPECT_LT(apart(one, joined({pipes[1], pipes[0], pipes[2]})), limit);
   const TopoDS_Shape turned = everySecondReversed(shapeOf(pipes));
-  EXPECT_LT(apart(one, joined(turned, rimsOf(turned, pipes))), limit);
+  EXPECT_LT(apart(one, blended(turned, rimsOf(turned, pipes))), limit);
 }
 
 TEST(BlendJunction, DoesNotDependOnWhereRimsStart) {
@@ -206,7 +188,7 @@ TEST(BlendJunction, ClosesCappedPipesToASolid) {
         grid(cap, {pipe.start, pipe.start + kRound}, {0.0, 0.25 * kRound}, {}, Joint::Loose));
   }
   const TopoDS_Shape shape = compound(faces);
-  const ShapeFill blend = joined(shape, rimsOf(shape, skewPipes()), ResultMode::Base);
+  const ShapeFill blend = blended(shape, rimsOf(shape, skewPipes()), ResultMode::Base);
   EXPECT_TRUE(BRepCheck_Analyzer(blend.shape).IsValid());
   EXPECT_TRUE(TopExp_Explorer(blend.shape, TopAbs_SOLID).More());
   EXPECT_GT(volume(blend.shape), 1000.0);
@@ -220,13 +202,22 @@ TEST(BlendJunction, RefusesOpenChainsAndAReach) {
   const auto edges =
       edgesNear(ShapeIndex(shape), {pipes[0].rim(), pipes[1].rim(), Vector3d(2.5, 0, 30)});
   const BlendPicks mixed{.from = {edges[0]}, .to = {edges[1], edges[2]}};
-  const auto refused = blendShape(ShapeIndex(shape), mixed, {}, ResultMode::Patches);
-  ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::ChainBroken);
-  const auto reaching =
-      blendShape(ShapeIndex(shape), rimsOf(shape, pipes), {{}, {1.5, 1.0}}, ResultMode::Patches);
-  ASSERT_FALSE(reaching.has_value());
-  EXPECT_EQ(reaching.error().code, ErrorCode::JunctionReach);
+  EXPECT_EQ(refusal(shape, mixed), ErrorCode::ChainBroken);
+  const BlendPicks rims = rimsOf(shape, pipes);
+  EXPECT_EQ(refusal(shape, rims, {.reach = {{1.5, 1.0}}}), ErrorCode::JunctionReach);
+}
+
+TEST(BlendJunction, TakesNothingThatSaysWhichPointsBelongTogether) {
+  const std::vector<Pipe> pipes = skewPipes();
+  const TopoDS_Shape shape = shapeOf(pipes);
+  for (const auto wish : {+[](BlendPicks& picks) { picks.match = boundary::MatchKind::Length; },
+                          +[](BlendPicks& picks) { picks.alignment = 0.1; },
+                          +[](BlendPicks& picks) { picks.pairs = {{1, 2}}; },
+                          +[](BlendPicks& picks) { picks.setback = {1.0, 0.0}; }}) {
+    BlendPicks picks = rimsOf(shape, pipes);
+    wish(picks);
+    EXPECT_EQ(refusal(shape, picks), ErrorCode::JunctionWish);
+  }
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include <numbers>
 
 #include "core/blend/arms.h"
+#include "occt/blends.h"
 #include "occt/from_occt.h"
 #include "occt/shapes.h"
 
@@ -30,68 +31,17 @@ using Eigen::Vector3d;
 
 constexpr double kRound = 2.0 * std::numbers::pi;
 
-Result<ShapeFill> tryBlend(const TopoDS_Shape& shape,
-                           const BlendPicks& picks,
-                           ResultMode mode = ResultMode::Patches) {
-  return blendShape(ShapeIndex(shape), picks, {}, mode);
-}
-
-ShapeFill blended(const TopoDS_Shape& shape,
-                  const BlendPicks& picks,
-                  ResultMode mode = ResultMode::Patches) {
-  auto result = tryBlend(shape, picks, mode);
-  EXPECT_TRUE(result.has_value()) << (result ? 0 : int(result.error().code));
-  return result ? *result : ShapeFill{};
-}
-
-ErrorCode refusal(const TopoDS_Shape& shape, const BlendPicks& picks) {
-  const auto result = tryBlend(shape, picks);
-  EXPECT_FALSE(result.has_value());
-  return result ? ErrorCode::Foreign : result.error().code;
-}
-
-/// The edges nearest to two points, a side each.
-BlendPicks between(const TopoDS_Shape& shape,
-                   const Vector3d& a,
-                   const Vector3d& b,
-                   Continuity continuity = Continuity::G1) {
-  const auto edges = edgesNear(ShapeIndex(shape), {a, b});
-  return {.from = {edges[0]}, .to = {edges[1]}, .continuity = continuity};
-}
-
-gp_Ax3 upright(double z) {
-  return gp_Ax3(gp_Pnt(0, 0, z), gp_Dir(0, 0, 1));
-}
-
-TopoDS_Shape pipe(double radius, double from, double to) {
-  return grid(new Geom_CylindricalSurface(upright(0.0), radius),
-              {0.0, kRound},
-              {from, to},
-              {},
-              Joint::Loose);
-}
-
 /// Pipes of radius 5 and 9 with one axis, 16 mm apart.
 TopoDS_Shape coaxialPipes() {
-  return compound({pipe(5.0, -14.0, -8.0), pipe(9.0, 8.0, 14.0)});
+  return compound({pipe(upright(), 5.0, -14.0, -8.0), pipe(upright(), 9.0, 8.0, 14.0)});
 }
 BlendPicks coaxialPicks(Continuity continuity = Continuity::G1) {
   return between(coaxialPipes(), {-5, 0, -8}, {-9, 0, 8}, continuity);
 }
 
-std::vector<Vector3d> pointsOf(const ShapeFill& blend) {
-  constexpr int kAlong = 16;
-  std::vector<Vector3d> points;
-  for (const auto& patch : blend.fill.patches)
-    for (int i = 0; i <= kAlong; ++i)
-      for (int j = 0; j <= kAlong; ++j)
-        points.push_back(patch.evaluate(patch.u.last() * i / kAlong, patch.v.last() * j / kAlong));
-  return points;
-}
-
 double largestDistance(const ShapeFill& blend, const Handle(Geom_Surface) & surface) {
   double largest = 0.0;
-  for (const Vector3d& p : pointsOf(blend)) {
+  for (const Vector3d& p : pointsOf(blend, 16)) {
     const GeomAPI_ProjectPointOnSurf foot(gp_Pnt(p.x(), p.y(), p.z()), surface);
     largest = std::max(largest, foot.LowerDistance());
   }
@@ -141,9 +91,9 @@ TEST(BlendShape, OfTwoEndsOfOneSurfaceIsThatSurface) {
     Handle(Geom_Surface) surface;
     double v0, v1, v2, v3, share;
   } kCases[] = {
-      {"cylinder", new Geom_CylindricalSurface(upright(0), 5.0), -9, -3, 4, 9, 1e-6},
-      {"sphere", new Geom_SphericalSurface(upright(0), 10.0), -0.9, -0.3, 0.4, 0.9, 1e-4},
-      {"torus", new Geom_ToroidalSurface(upright(0), 20.0, 6.0), 0.2, 0.8, 1.8, 2.4, 5e-4},
+      {"cylinder", new Geom_CylindricalSurface(upright(), 5.0), -9, -3, 4, 9, 1e-6},
+      {"sphere", new Geom_SphericalSurface(upright(), 10.0), -0.9, -0.3, 0.4, 0.9, 1e-4},
+      {"torus", new Geom_ToroidalSurface(upright(), 20.0, 6.0), 0.2, 0.8, 1.8, 2.4, 5e-4},
   };
   for (const auto& c : kCases) {
     const TopoDS_Shape shape =
@@ -181,7 +131,7 @@ TEST(BlendShape, DoesNotDependOnTheFacesOrientation) {
 }
 
 TopoDS_Shape twoPlanes() {
-  const Handle(Geom_Surface) floor = new Geom_Plane(upright(0));
+  const Handle(Geom_Surface) floor = new Geom_Plane(upright());
   const Handle(Geom_Surface) wall =
       new Geom_Plane(gp_Ax3(gp_Pnt(12, 0, 9), gp_Dir(-1, 0, 0), gp_Dir(0, -1, 0)));
   return compound({grid(floor, {-10.0, 0.0}, {0.0, 20.0}, {}, Joint::Loose),
@@ -221,9 +171,9 @@ TEST(BlendShape, IsSewnIntoTheBase) {
 }
 
 TEST(BlendShape, TakesChainsOfSmoothEdgesAndAnyStart) {
-  const Handle(Geom_Surface) small = new Geom_CylindricalSurface(upright(0), 5.0);
+  const Handle(Geom_Surface) small = new Geom_CylindricalSurface(upright(), 5.0);
   const TopoDS_Shape halves = grid(small, {0.7, 0.7 + 0.4 * kRound, 0.7 + kRound}, {-14, -8}, {});
-  const TopoDS_Shape shape = compound({halves, pipe(9.0, 8.0, 14.0)});
+  const TopoDS_Shape shape = compound({halves, pipe(upright(), 9.0, 8.0, 14.0)});
   const ShapeFill blend = blended(
       shape, between(shape, {5.0 * std::cos(1.957), 5.0 * std::sin(1.957), -8}, {-9, 0, 8}));
   EXPECT_EQ(blend.fill.report.sides.size(), 3U);
@@ -234,10 +184,10 @@ TEST(BlendShape, TakesChainsOfSmoothEdgesAndAnyStart) {
 
 // Where the strip starts and where two edges of a rim meet are one place but for rounding.
 TEST(BlendShape, StartsWhereEdgesOfARimMeet) {
-  const Handle(Geom_Surface) wide = new Geom_CylindricalSurface(upright(0), 10.0);
+  const Handle(Geom_Surface) wide = new Geom_CylindricalSurface(upright(), 10.0);
   const TopoDS_Shape shape =
       compound({grid(wide, {0.0, 0.5 * kRound, kRound}, {0.0, 20.0}, {}, Joint::Loose),
-                pipe(6.0, 35.0, 50.0)});
+                pipe(upright(), 6.0, 35.0, 50.0)});
   const auto edges = edgesNear(ShapeIndex(shape), {{0, 10, 20}, {0, -10, 20}, {-6, 0, 35}});
   for (const auto& [from, to] : {std::pair{std::vector{edges[2]}, std::vector{edges[0], edges[1]}},
                                  {{edges[0], edges[1]}, {edges[2]}}}) {
@@ -310,7 +260,7 @@ TopoDS_Shape tiltedPipes(double start) {
   const gp_Dir axis(std::sin(tilt), 0, std::cos(tilt));
   const gp_Ax3 frame(gp_Pnt(4, 2, 8), axis, gp_Dir(std::cos(tilt), 0, -std::sin(tilt)));
   const Handle(Geom_Surface) wide = new Geom_CylindricalSurface(frame, 9.0);
-  const Handle(Geom_Surface) narrow = new Geom_CylindricalSurface(upright(0), 5.0);
+  const Handle(Geom_Surface) narrow = new Geom_CylindricalSurface(upright(), 5.0);
   return compound({grid(narrow, {start, start + kRound}, {-14, -8}, {}, Joint::Loose),
                    grid(wide, {2.0 * start, 2.0 * start + kRound}, {0, 6}, {}, Joint::Loose)});
 }

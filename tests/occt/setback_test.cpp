@@ -15,7 +15,7 @@
 #include <numbers>
 
 #include "occt/bilinear.h"
-#include "occt/blend_shape.h"
+#include "occt/blends.h"
 #include "occt/edge_curve.h"
 #include "occt/shapes.h"
 #include "text/error_text.h"
@@ -50,24 +50,12 @@ BlendPicks between(const TopoDS_Shape& shape,
                    const Vector3d& from,
                    const Vector3d& to,
                    std::array<double, 2> setback) {
-  const auto edges = edgesNear(ShapeIndex(shape), {from, to});
-  return {.from = {edges[0]}, .to = {edges[1]}, .setback = setback};
+  BlendPicks picks = testing::between(shape, from, to);
+  picks.setback = setback;
+  return picks;
 }
 BlendPicks cansPicks(std::array<double, 2> setback) {
   return between(cans(), {-5, 0, -8}, {-9, 0, 8}, setback);
-}
-
-Result<ShapeFill> tryBlend(const TopoDS_Shape& shape,
-                           const BlendPicks& picks,
-                           ResultMode mode = ResultMode::Patches) {
-  return blendShape(ShapeIndex(shape), picks, {}, mode);
-}
-ShapeFill blended(const TopoDS_Shape& shape,
-                  const BlendPicks& picks,
-                  ResultMode mode = ResultMode::Patches) {
-  auto result = tryBlend(shape, picks, mode);
-  EXPECT_TRUE(result.has_value()) << (result ? "" : text::sentence(result.error()));
-  return result ? *result : ShapeFill{};
 }
 
 Vector3d onSide(const ShapeFill& blend, bool first, int k) {

@@ -36,7 +36,8 @@ def test_other_threads_run_while_it_solves(shape, edges):
         turns.append(time.monotonic() - began)
     progress.abort()
     thread.join()
-    assert len(turns) > 50 and sorted(turns)[-len(turns) // 10] < 0.1, turns  # one in ten may meet a busy machine
+    # A solve that held the interpreter would leave one or two turns. One in ten may meet a busy machine.
+    assert len(turns) > 10 and sorted(turns)[-len(turns) // 10] < 0.1, turns
 
 
 def test_abort_stops_it_soon(shape, edges):

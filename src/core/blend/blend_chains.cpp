@@ -3,21 +3,12 @@
 
 #include <utility>
 
-#include "core/blend/natural_strip.h"
-
 // The pipeline (docs/ARCHITECTURE.md):
 //
 //   two chains -> ChainPair -> LayoutPlan (strip) -> spanPlan -> leaves as asked?
 //     no: turnedRows -> spanAgain        reach not 1: scaledRows -> spanAgain
 
 namespace fairing {
-
-std::optional<Error> validate(const BlendOptions& options) {
-  for (const std::size_t side : {std::size_t(0), std::size_t(1)})
-    for (const double reach : {options.reach.at(side, 0.0), options.reach.at(side, 1.0)})
-      if (!(reach > 0.0)) return Error{.code = ErrorCode::ReachNotPositive, .value = reach};
-  return validate(options.fill);
-}
 
 Result<Blend> blendChains(const boundary::ChainPair& pair,
                           const BlendOptions& options,

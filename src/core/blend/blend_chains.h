@@ -4,26 +4,12 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/blend/departure_check.h"
+#include "core/blend/blend_options.h"
+#include "core/blend/natural_strip.h"
 #include "core/boundary/side_chain.h"
-#include "core/span/fill_options.h"
 #include "core/span/fill_result.h"
 
 namespace fairing {
-
-class NaturalStrip;
-
-/// Everything a caller may choose about a blend.
-struct BlendOptions {
-  FillOptions fill = {};  ///< the layout is a strip, whatever it says
-  Reach reach = {};
-  std::array<boundary::Departure, 2> departure{};  ///< from the first chain and from the second
-  std::array<boundary::Leaving, 2> leaving{};
-};
-
-/// The first thing wrong with the options, if any: ReachNotPositive or what validate() says of a
-/// fill's.
-[[nodiscard]] std::optional<Error> validate(const BlendOptions& options);
 
 /// A strip between two chains, and what it was made from.
 struct Blend {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/blend/blend_loops.h"
 
-#include <utility>
-
 #include "core/layout/junction.h"
 #include "core/span/span_plan.h"
 
@@ -22,11 +20,9 @@ Result<FillResult> blendLoops(const boundary::BoundaryLoop& loop,
   }
   FillOptions fill = options.fill;
   fill.maxPoles *= 2;  // front and back: two stars, each as large as a hole
-  boundary::BoundaryLoop target = followedLoop(loop, fill.tolerance);
-  auto plan = layout::junctionPlan(target);
-  if (!plan) return fail(plan.error());
-  analysis::LoopProbe probe = analysis::probeLoop(loop, target);
-  return spanPlan({loop, std::move(target), std::move(probe), std::move(*plan)}, fill, progress);
+  const auto span = makeSpan(loop, fill.tolerance, layout::junctionPlan);
+  if (!span) return fail(span.error());
+  return spanPlan(*span, fill, progress);
 }
 
 }  // namespace fairing

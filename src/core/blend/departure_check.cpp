@@ -26,18 +26,17 @@ std::optional<Error> isoRunsAlong(const BoundarySide& side) {
 
 }  // namespace
 
-std::optional<Error> checkDepartures(const boundary::ChainPair& pair, const Departures& asked) {
+std::optional<Error> checkDepartures(const boundary::ChainPair& pair, const BlendOptions& options) {
   for (std::size_t k = 0; k < pair.sides.sides.size(); ++k) {
-    const std::size_t chain = k < pair.firstCount ? 0 : 1;
+    const std::size_t chain = pair.chainOf(k);
     const BoundarySide& side = pair.sides.sides[k];
-    if (pair.closed && asked.reach.varies(chain))
+    if (pair.closed && options.reach.varies(chain))
       return Error{.code = ErrorCode::ReachVariesRound, .edge = side.edge};
-    const bool free = asked.departure[chain] == Departure::Free &&
-                      asked.leaving[chain] == boundary::Leaving::Onwards;
+    const bool free = options.departure[chain] == Departure::Free &&
+                      options.leaving[chain] == boundary::Leaving::Onwards;
     if (free) continue;
-    if (side.continuity == Continuity::G0 || !side.ribbon.hasSupport())
-      return Error{.code = ErrorCode::DepartureNotTangent, .edge = side.edge};
-    if (asked.departure[chain] != Departure::Iso) continue;
+    if (!side.isTangent()) return Error{.code = ErrorCode::DepartureNotTangent, .edge = side.edge};
+    if (options.departure[chain] != Departure::Iso) continue;
     if (const auto along = isoRunsAlong(side)) return along;
   }
   return std::nullopt;

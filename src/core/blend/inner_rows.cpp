@@ -152,7 +152,7 @@ std::array<bool, 2> leavesAmiss(const StripRows& strip) {
   std::array<bool, 2> amiss{false, false};
   for (const Row& row : rowsOf(strip)) {
     const boundary::BoundarySide& side = *row.side;
-    if (side.continuity == Continuity::G0 || !side.ribbon.hasSupport()) continue;
+    if (!side.isTangent()) continue;
     const spline::BsplineSurface& patch = strip.patches[row.patch];
     for (int i = 0; i < kSamples; ++i) {
       const double t = (i + 0.5) / kSamples;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/blend/departure_check.h"
 #include "core/blend/inner_rows.h"
 #include "core/layout/strip.h"
 
@@ -14,24 +15,24 @@ NaturalStrip::NaturalStrip(Span span, FillOptions options, FillResult result)
 Result<NaturalStrip> NaturalStrip::make(const boundary::ChainPair& pair,
                                         const BlendOptions& options,
                                         Progress* progress) {
-  if (const auto wrong = checkDepartures(pair, {options.departure, options.leaving, options.reach}))
-    return fail(*wrong);
+  if (const auto wrong = checkDepartures(pair, options)) return fail(*wrong);
   boundary::ChainPair asked = pair;
   for (std::size_t k = 0; k < asked.sides.sides.size(); ++k) {
-    const std::size_t chain = k < pair.firstCount ? 0 : 1;
+    const std::size_t chain = pair.chainOf(k);
     asked.sides.sides[k].departure = options.departure[chain];
     asked.sides.sides[k].leaving = options.leaving[chain];
   }
-  boundary::ChainPair target = asked;
-  target.sides = followedLoop(asked.sides, options.fill.tolerance);
-  auto plan = layout::stripPlan(target);
-  if (!plan) return fail(plan.error());
-  analysis::LoopProbe probe = analysis::probeLoop(asked.sides, target.sides);
-  Span span{std::move(asked.sides), std::move(target.sides), std::move(probe), std::move(*plan)};
-  auto result = spanPlan(span, options.fill, progress);
+  auto span =
+      makeSpan(asked.sides, options.fill.tolerance, [&](const boundary::BoundaryLoop& target) {
+        boundary::ChainPair pairOfTarget = asked;
+        pairOfTarget.sides = target;
+        return layout::stripPlan(pairOfTarget);
+      });
+  if (!span) return fail(span.error());
+  auto result = spanPlan(*span, options.fill, progress);
   if (!result) return fail(result.error());
-  result->matches = span.plan.matches;
-  NaturalStrip strip(std::move(span), options.fill, std::move(*result));
+  result->matches = span->plan.matches;
+  NaturalStrip strip(std::move(*span), options.fill, std::move(*result));
   if (const auto error = strip.turn()) return fail(*error);
   return strip;
 }

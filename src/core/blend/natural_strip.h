@@ -2,8 +2,7 @@
 #pragma once
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/blend/blend_chains.h"
-#include "core/blend/reach.h"
+#include "core/blend/blend_options.h"
 #include "core/boundary/side_chain.h"
 #include "core/span/fill_result.h"
 #include "core/span/span_plan.h"

@@ -44,15 +44,11 @@ double measureDiagonal(const std::vector<BoundarySide>& sides) {
   return std::sqrt(largest);
 }
 
-bool asksForNormals(const BoundarySide& side) {
-  return side.continuity != Continuity::G0 && side.ribbon.hasSupport();
-}
-
 // R_uv . n is prescribed by both sides, with u along `before` and v along `after`: -R_v . dn/du and
 // -R_u . dn/dv. What they differ by, over the shorter tangent, is the rate of turn that no patch
 // can give both.
 double twistMismatch(const BoundarySide& before, const BoundarySide& after) {
-  if (!asksForNormals(before) || !asksForNormals(after)) return 0.0;
+  if (!before.isTangent() || !after.isTangent()) return 0.0;
   const Eigen::Vector3d u = before.ribbon.curve(1.0).derivative;
   const Eigen::Vector3d v = after.ribbon.curve(0.0).derivative;
   const Eigen::Vector3d nu = constraintNormalDerivativeAtEnd(before.ribbon, false);

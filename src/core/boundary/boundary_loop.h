@@ -33,6 +33,10 @@ struct BoundarySide {
   Departure departure = Departure::Free;  ///< asked of sides that are tangent
   Leaving leaving = Leaving::Onwards;     ///< what counts as backwards is judged by it
 
+  /// Whether a tangent plane is asked for anywhere, and there is a face that has one.
+  [[nodiscard]] bool isTangent() const {
+    return continuity != Continuity::G0 && ribbon.hasSupport();
+  }
   [[nodiscard]] Continuity continuityAt(double t) const {
     for (const ContinuityUpTo& stretch : stretches)
       if (t < stretch.t) return stretch.continuity;

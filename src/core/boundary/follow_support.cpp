@@ -73,7 +73,7 @@ void setCurve(Ribbon& ribbon, const spline::BsplineCurve& curve) {
 BoundaryLoop followSupports(const BoundaryLoop& loop, double angle, double cornerAngle) {
   BoundaryLoop followed = loop;
   for (BoundarySide& side : followed.sides) {
-    if (side.continuity == Continuity::G0 || !side.ribbon.hasSupport()) continue;
+    if (!side.isTangent()) continue;
     if (side.supportDeviation <= kEndsShare * loop.diagonal) continue;
     const Offset offset = offsetOf(side.ribbon, angle, cornerAngle);
     if (offset.angleRatio <= 1.0 || offset.atEnds > kEndsShare * loop.diagonal) continue;

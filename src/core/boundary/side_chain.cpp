@@ -14,13 +14,8 @@ constexpr double kStraightOn = 175.0;
 // constraint/tangent_plane.cpp.
 constexpr double kSeparateNormals = 5.7;
 
-bool asksForNormals(const BoundarySide& side) {
-  return side.continuity != Continuity::G0 && side.ribbon.hasSupport();
-}
-
 bool isCrease(const BoundarySide& before, const BoundarySide& after, const Corner& corner) {
-  if (asksForNormals(before) && asksForNormals(after))
-    return !corner.normalsAgree(kSeparateNormals);
+  if (before.isTangent() && after.isTangent()) return !corner.normalsAgree(kSeparateNormals);
   return !corner.isNearlyStraight();
 }
 

@@ -31,6 +31,9 @@ struct ChainPair {
   std::size_t firstCount = 0;  ///< number of sides of the first chain
   bool closed = false;         ///< both chains are
   ChainMatch match = {};       ///< which points belong together
+
+  /// 0 for a side of the first chain, 1 for one of the second.
+  [[nodiscard]] std::size_t chainOf(std::size_t side) const { return side < firstCount ? 0 : 1; }
 };
 
 /// The corner of a chain where one side ends and the next one starts, its crease told.

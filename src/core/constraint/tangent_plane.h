@@ -19,9 +19,7 @@ struct ConstrainedEdge {
   std::vector<int> outer, inner;  ///< point numbers of the row on the edge and of the next one
   End start = End::Held, end = End::Held;
 
-  [[nodiscard]] bool isTangent() const {
-    return side->continuity != Continuity::G0 && side->ribbon.hasSupport();
-  }
+  [[nodiscard]] bool isTangent() const { return side->isTangent(); }
   [[nodiscard]] bool isTangentAt(double sideParameter) const {
     return isTangent() && side->continuityAt(sideParameter) != Continuity::G0;
   }

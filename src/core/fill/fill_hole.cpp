@@ -30,11 +30,11 @@ Result<FillResult> fillWith(LayoutKind kind,
                             const FillOptions& options,
                             Progress* progress) {
   if (kind == LayoutKind::Trimmed) return fillTrimmed(loop, options, progress);
-  boundary::BoundaryLoop target = followedLoop(loop, options.tolerance);
-  auto plan = layout::planLayout(target, kind);
-  if (!plan) return fail(plan.error());
-  analysis::LoopProbe probe = analysis::probeLoop(loop, target);
-  return spanPlan({loop, std::move(target), std::move(probe), std::move(*plan)}, options, progress);
+  const auto span = makeSpan(loop, options.tolerance, [&](const boundary::BoundaryLoop& target) {
+    return layout::planLayout(target, kind);
+  });
+  if (!span) return fail(span.error());
+  return spanPlan(*span, options, progress);
 }
 
 void noteTinySides(const boundary::BoundaryLoop& loop, analysis::FillReport& report) {

@@ -81,7 +81,7 @@ void measureInner(const TrimmedHole& hole,
 
 // The first place of a side where its support fails to say what is asked.
 std::optional<analysis::Note> noteOn(const boundary::BoundarySide& side) {
-  if (side.continuity == Continuity::G0 || !side.ribbon.hasSupport()) return std::nullopt;
+  if (!side.isTangent()) return std::nullopt;
   for (int k = 0; k < kSupportSamples; ++k) {
     const double t = k / (kSupportSamples - 1.0);
     const boundary::SupportSample support = side.ribbon.support(t);

@@ -66,7 +66,7 @@ LoopRows::Rows LoopRows::sideRows(std::size_t k, double t) const {
   const boundary::CurveSample curve = side.ribbon.curve(t);
   Rows rows{position(curve.point)};
   rows.front().side = static_cast<int>(k);
-  if (side.continuity == Continuity::G0 || !side.ribbon.hasSupport()) return rows;
+  if (!side.isTangent()) return rows;
   const boundary::SupportSample support = side.ribbon.support(t);
   if (support.singular) return rows;
   const Vector3d tangent = frame_.components(curve.derivative.normalized());

@@ -39,7 +39,7 @@ std::vector<Leaning> sample(const BoundaryLoop& loop) {
       const double t = static_cast<double>(k) / kSamples;
       const boundary::CurveSample curve = side.ribbon.curve(t);
       Leaning place{side.edge, curve.point, curve.derivative.normalized(), false, {}};
-      if (side.continuity != Continuity::G0 && side.ribbon.hasSupport()) {
+      if (side.isTangent()) {
         const boundary::SupportSample support = side.ribbon.support(t);
         place.hasNormal = !support.singular;
         place.normal = support.normal;

@@ -68,7 +68,7 @@ std::vector<boundary::LoopPlace> cutsOf(const BoundaryLoop& loop) {
     const double whole = lengths.whole();
     const double start = farthest(loop, lengths, previous - next);
     double end = farthest(loop, lengths, next - previous);
-    end = start + (end - start) - whole * std::floor((end - start) / whole);
+    end -= whole * std::floor((end - start) / whole);
     for (const double length : {start, 0.5 * (start + end), end, 0.5 * (end + start + whole)})
       cuts.push_back(lengths.placeAt(length));
   }

@@ -45,6 +45,17 @@ std::vector<std::vector<DirectedSide>> sidesAlongStrips(const LayoutPlan& plan,
   return along;
 }
 
+bool isRound(const LayoutPlan& plan, std::size_t direction) {
+  return plan.closed && direction == 0;
+}
+
+// Spans that patches have at least, along u (0) or v (1).
+double leastSpans(const LayoutPlan& plan, std::size_t direction) {
+  if (isRound(plan, direction)) return kLeastSpansRound;
+  if (plan.kind == LayoutKind::Strip && direction == 1) return kLeastSpansAcross;
+  return plan.kind == LayoutKind::Junction ? kLeastOfJunction : 1.0;
+}
+
 bool byPoles(const KnotVector& a, const KnotVector& b) {
   return a.poleCount() < b.poleCount();
 }
@@ -125,14 +136,8 @@ PatchLayout coarseLayout(const LayoutPlan& plan,
     for (std::size_t d = 0; d < 2; ++d) {
       const KnotVector& own = d == 0 ? layout.patches[q].u : layout.patches[q].v;
       const double wish = std::ceil(options.density * (own.last() - own.first()) - 0.25);
-      const bool isRound = plan.closed && d == 0;
-      const bool isAcross = plan.kind == LayoutKind::Strip && d == 1;
-      const double least = isRound ? kLeastSpansRound
-                           : isAcross
-                               ? kLeastSpansAcross
-                               : (plan.kind == LayoutKind::Junction ? kLeastOfJunction : 1.0);
-      const double most = isRound ? kMostSpansRound : kMostCoarseSpans;
-      const int spans = static_cast<int>(std::clamp(wish, least, most));
+      const double most = isRound(plan, d) ? kMostSpansRound : kMostCoarseSpans;
+      const int spans = static_cast<int>(std::clamp(wish, leastSpans(plan, d), most));
       std::vector<double> breaks;
       for (int k = 0; k <= spans; ++k) breaks.push_back(static_cast<double>(k) / spans);
       knots[static_cast<std::size_t>(layout.strips.uses[q][d].strip)] =

@@ -28,9 +28,6 @@ class LoopLength {
   [[nodiscard]] double whole() const { return starts_.back(); }
   /// Up to the start of a side, mm; the one behind the last gives the whole.
   [[nodiscard]] double upTo(std::size_t side) const { return starts_[side - first_]; }
-  [[nodiscard]] double upTo(const boundary::LoopPlace& place) const {
-    return upTo(place.side) + arcs_[place.side - first_].lengthUpTo(place.t);
-  }
   /// The place where `length` mm are behind; any multiple of the whole may be added.
   [[nodiscard]] boundary::LoopPlace placeAt(double length) const;
 

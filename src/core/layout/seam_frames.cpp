@@ -81,8 +81,7 @@ Seam seamOf(const LayoutPlan& plan, const QuadSeam& from) {
     seam.inside[k] = plan.mesh.inside[static_cast<std::size_t>(seam.vertices[k])];
     seam.frames[k] =
         seam.inside[k] ? innerFrame(plan.mesh, from, k == 1) : borderFrame(plan, from, k == 1);
-    if (!seam.inside[k] && plan.kind == LayoutKind::Strip)
-      seam.crease = seam.crease || cornerAt(plan, seam.vertices[k]).crease;
+    if (!seam.inside[k]) seam.crease = seam.crease || cornerAt(plan, seam.vertices[k]).crease;
   }
   return seam;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include <array>
 #include <vector>
 
 #include "core/analysis/continuity_report.h"
 #include "core/height_field/trim.h"
 #include "core/layout/layout_kind.h"
+#include "core/layout/layout_plan.h"
 #include "core/solver/solve_summary.h"
 #include "core/spline/bspline_surface.h"
 
@@ -19,7 +19,7 @@ struct FillResult {
   LayoutKind layout = LayoutKind::Quad;
   /// Of a blend: points of the first and the second side that belong together, where it is cut or
   /// starts.
-  std::vector<std::array<Eigen::Vector3d, 2>> matches;
+  std::vector<layout::MatchedPoints> matches;
   analysis::FillReport report;
   solver::SolveSummary summary;
 };

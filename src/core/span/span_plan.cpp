@@ -76,11 +76,17 @@ Result<FillResult> fillOn(const Span& span,
 
 }  // namespace
 
-boundary::BoundaryLoop followedLoop(const boundary::BoundaryLoop& loop,
-                                    const Tolerance& tolerance) {
-  return boundary::followSupports(loop,
-                                  kFollowAim * tolerance.angle,
-                                  kFollowAim * std::max(tolerance.angle, tolerance.cornerAngle));
+Result<Span> makeSpan(const boundary::BoundaryLoop& loop,
+                      const Tolerance& tolerance,
+                      const PlanOf& planOf) {
+  auto target =
+      boundary::followSupports(loop,
+                               kFollowAim * tolerance.angle,
+                               kFollowAim * std::max(tolerance.angle, tolerance.cornerAngle));
+  auto plan = planOf(target);
+  if (!plan) return fail(plan.error());
+  analysis::LoopProbe probe = analysis::probeLoop(loop, target);
+  return Span{loop, std::move(target), std::move(probe), std::move(*plan)};
 }
 
 Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progress* progress) {

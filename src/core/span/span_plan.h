@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <functional>
+
 #include "core/analysis/loop_probe.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -15,15 +17,20 @@ namespace fairing {
 /// they are to be spanned.
 struct Span {
   boundary::BoundaryLoop loop;
-  boundary::BoundaryLoop target;  ///< followedLoop() of it
+  boundary::BoundaryLoop target;  ///< it, its edges moved towards their faces
   analysis::LoopProbe probe;      ///< of loop and target
   layout::LayoutPlan plan;        ///< made for target
 };
 
-/// The loop that patches are made for: edges that lie off their faces moved towards them as far as
-/// the angles allowed ask (boundary/follow_support.h).
-[[nodiscard]] boundary::BoundaryLoop followedLoop(const boundary::BoundaryLoop& loop,
-                                                  const Tolerance& tolerance);
+/// The plan for a loop that patches are made for.
+using PlanOf = std::function<Result<layout::LayoutPlan>(const boundary::BoundaryLoop& target)>;
+
+/// A loop with all that spanPlan() needs: edges that lie off their faces are moved towards them as
+/// far as the angles allowed ask (boundary/follow_support.h), and that is planned for. Fails as
+/// `planOf` does.
+[[nodiscard]] Result<Span> makeSpan(const boundary::BoundaryLoop& loop,
+                                    const Tolerance& tolerance,
+                                    const PlanOf& planOf);
 
 /// The patches of a plan, refined until they are within tolerance or the limits of the options are
 /// reached. Fails with SystemSingular, NotFinite, SupportNormalSingular or Cancelled.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "occt/blends.h"
+
+#include <gtest/gtest.h>
+
+#include <Geom_CylindricalSurface.hxx>
+#include <numbers>
+
+#include "occt/shapes.h"
+#include "text/error_text.h"
+
+namespace fairing::testing {
+
+using Eigen::Vector3d;
+
+Blended tryBlend(const TopoDS_Shape& shape,
+                 const occt::BlendPicks& picks,
+                 occt::ResultMode mode,
+                 const BlendOptions& options) {
+  return occt::blendShape(occt::ShapeIndex(shape), picks, options, mode);
+}
+
+occt::ShapeFill blended(const TopoDS_Shape& shape,
+                        const occt::BlendPicks& picks,
+                        occt::ResultMode mode,
+                        const BlendOptions& options) {
+  const auto result = tryBlend(shape, picks, mode, options);
+  EXPECT_TRUE(result.has_value()) << (result ? "" : text::sentence(result.error()));
+  return result ? occt::ShapeFill(*result) : occt::ShapeFill{};
+}
+
+ErrorCode refusal(const TopoDS_Shape& shape,
+                  const occt::BlendPicks& picks,
+                  const BlendOptions& options) {
+  const auto result = tryBlend(shape, picks, occt::ResultMode::Patches, options);
+  EXPECT_FALSE(result.has_value());
+  return result ? ErrorCode::Foreign : result.error().code;
+}
+
+occt::BlendPicks between(const TopoDS_Shape& shape,
+                         const Vector3d& from,
+                         const Vector3d& to,
+                         Continuity continuity) {
+  const auto edges = edgesNear(occt::ShapeIndex(shape), {from, to});
+  return {.from = {edges[0]}, .to = {edges[1]}, .continuity = continuity};
+}
+
+gp_Ax3 upright(double z) {
+  return gp_Ax3(gp_Pnt(0, 0, z), gp_Dir(0, 0, 1));
+}
+
+TopoDS_Shape pipe(const gp_Ax3& frame, double radius, double from, double to) {
+  return grid(new Geom_CylindricalSurface(frame, radius),
+              {0.0, 2.0 * std::numbers::pi},
+              {from, to},
+              {},
+              Joint::Loose);
+}
+
+std::vector<Vector3d> pointsOf(const occt::ShapeFill& blend, int cells) {
+  std::vector<Vector3d> points;
+  for (const auto& patch : blend.fill.patches)
+    for (int i = 0; i <= cells; ++i)
+      for (int j = 0; j <= cells; ++j)
+        points.push_back(patch.evaluate(patch.u.last() * i / cells, patch.v.last() * j / cells));
+  return points;
+}
+
+}  // namespace fairing::testing
