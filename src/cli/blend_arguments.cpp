@@ -39,7 +39,8 @@ void BlendArguments::addTo(CLI::App& command) {
   addList(command,
           "--edges",
           edges,
-          "in place of --from and --to: edges of two chains, or of three and more closed ones");
+          "in place of --from and --to: edges of two chains, or of three and more round a hole");
+  addList(command, "--cuts", cuts, "edges from rim to rim that show where a junction is cut");
   command.add_option(
       "--continuity", continuity, "G0, G1 or G2 to every face beside the blend (default G1)");
   addList(command, "--edge-continuity", edgeContinuity, "of single edges, such as 7=G0,9=G2");
@@ -93,6 +94,9 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
   const auto joined = parsePairs(pairs, "--pair");
   if (!joined) return fail(joined.error());
   picks.pairs = *joined;
+  const auto shown = parseNumbers(cuts, "--cuts", "Edge");
+  if (!shown) return fail(shown.error());
+  picks.cuts = *shown;
   const auto first = parseNumbers(from, "--from", "Edge");
   if (!first) return fail(first.error());
   const auto second = parseNumbers(to, "--to", "Edge");
@@ -107,6 +111,7 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
   auto groups = occt::groupEdges(index, *all);
   if (!groups) return fail(groups.error());
   if (groups->size() < 2) return fail({.code = ErrorCode::OneSideOnly, .detail = "to"});
+  picks.ring = groups->size() > 2;
   picks.from = groups->front();
   for (std::size_t k = 1; k < groups->size(); ++k)
     picks.to.insert(picks.to.end(), (*groups)[k].begin(), (*groups)[k].end());

@@ -11,6 +11,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/analysis/find_fold.h"
@@ -32,10 +33,10 @@ constexpr double kMeshAngle = 0.3;                       // radians
 constexpr int kSamplesAlong = 64;
 
 /// The faces beside the sides [from, to).
-std::set<int> facesBeside(const boundary::ChainPair& pair, std::size_t from, std::size_t to) {
+std::set<int> facesBeside(const boundary::BoundaryLoop& loop, std::size_t from, std::size_t to) {
   std::set<int> faces;
   for (std::size_t k = from; k < to; ++k)
-    if (pair.sides.sides[k].face > 0) faces.insert(pair.sides.sides[k].face);
+    if (loop.sides[k].face > 0) faces.insert(loop.sides[k].face);
   return faces;
 }
 
@@ -120,53 +121,69 @@ bool isInside(const ShapeIndex& index, const std::set<int>& faces, const Vector3
   return false;
 }
 
-/// The faces of both sides cut through each other, or a side starts inside the other one's solid.
-void addOverlap(const ShapeIndex& index,
-                const boundary::ChainPair& pair,
-                const std::vector<std::pair<int, TriangleTree>>& trees,
-                const std::set<int>& first,
-                const std::set<int>& second,
-                std::vector<Note>& notes) {
-  std::vector<Vector3d> crossings;
-  for (const auto& [a, treeA] : trees)
-    for (const auto& [b, treeB] : trees) {
-      if (a == b || !first.contains(a) || !second.contains(b)) continue;
-      for (const Vector3d& p : treeA.crossings(treeB, Touches::DoNotCount)) crossings.push_back(p);
+/// The face trees of one chain cut through those of another, or one starts inside the other one's
+/// solid.
+class Overlap {
+ public:
+  Overlap(const ShapeIndex& index, const boundary::BoundaryLoop& sides, double deflection)
+      : index_(index), sides_(sides), chains_(sides.chains()) {
+    for (const auto& [first, end] : chains_) {
+      faces_.push_back(facesBeside(sides, first, end));
+      for (const int face : faces_.back())
+        if (!trees_.contains(face)) trees_.emplace(face, meshOf(index.face(face), deflection));
     }
-  if (!crossings.empty()) return addNote(notes, NoteCode::BasesOverlap, crossings);
-  const auto pointOf = [&](std::size_t side) {
-    return pair.sides.sides[side].ribbon.curve(0.5).point;
-  };
-  const Vector3d a = pointOf(0), b = pointOf(pair.firstCount);
-  if (isInside(index, second, a))
-    addNote(notes, NoteCode::BasesOverlap, {a});
-  else if (isInside(index, first, b))
-    addNote(notes, NoteCode::BasesOverlap, {b});
-}
+  }
+  [[nodiscard]] const std::map<int, TriangleTree>& trees() const { return trees_; }
+
+  void addTo(std::vector<Note>& notes) const {
+    for (std::size_t a = 0; a < chains_.size(); ++a)
+      for (std::size_t b = a + 1; b < chains_.size(); ++b)
+        addNote(notes, NoteCode::BasesOverlap, between(a, b));
+  }
+
+ private:
+  [[nodiscard]] std::vector<Vector3d> between(std::size_t a, std::size_t b) const {
+    std::vector<Vector3d> crossings;
+    for (const int one : faces_[a])
+      for (const int other : faces_[b]) {
+        if (one == other) continue;
+        for (const Vector3d& p : trees_.at(one).crossings(trees_.at(other), Touches::DoNotCount))
+          crossings.push_back(p);
+      }
+    if (!crossings.empty()) return crossings;
+    const Vector3d p = startOf(a), q = startOf(b);
+    if (isInside(index_, faces_[b], p)) return {p};
+    if (isInside(index_, faces_[a], q)) return {q};
+    return {};
+  }
+  [[nodiscard]] Vector3d startOf(std::size_t chain) const {
+    return sides_.sides[chains_[chain].first].ribbon.curve(0.5).point;
+  }
+
+  const ShapeIndex& index_;
+  const boundary::BoundaryLoop& sides_;
+  std::vector<std::pair<std::size_t, std::size_t>> chains_;
+  std::vector<std::set<int>> faces_;  // beside every chain
+  std::map<int, TriangleTree> trees_;
+};
 
 }  // namespace
 
 std::vector<Note> blendNotes(const ShapeIndex& index,
-                             const boundary::ChainPair& pair,
+                             const boundary::BoundaryLoop& sides,
                              const std::vector<spline::BsplineSurface>& patches) {
   std::vector<Note> notes;
-  addCreases(pair.sides, notes);
+  addCreases(sides, notes);
   if (const auto fold = analysis::findFold(patches))
     notes.push_back({NoteCode::StripFolds, 0, fold->where, fold->share, 0});
-  const TriangleTree strip(analysis::meshOf(patches));
-  addNote(notes, NoteCode::CutsItself, strip.ownCrossings());
-  const auto first = facesBeside(pair, 0, pair.firstCount);
-  const auto second = facesBeside(pair, pair.firstCount, pair.sides.sides.size());
-  std::set<int> all = first;
-  all.insert(second.begin(), second.end());
-  std::vector<std::pair<int, TriangleTree>> trees;
-  for (const int face : all)
-    trees.emplace_back(face, meshOf(index.face(face), kDeflection * pair.sides.diagonal));
-  const NearSides nearSides(pair.sides);
-  for (const auto& [face, tree] : trees)
+  const TriangleTree blend(analysis::meshOf(patches));
+  addNote(notes, NoteCode::CutsItself, blend.ownCrossings());
+  const Overlap overlap(index, sides, kDeflection * sides.diagonal);
+  const NearSides nearSides(sides);
+  for (const auto& [face, tree] : overlap.trees())
     addNote(
-        notes, NoteCode::CutsFace, nearSides.farFrom(strip.crossings(tree, Touches::Count)), face);
-  addOverlap(index, pair, trees, first, second, notes);
+        notes, NoteCode::CutsFace, nearSides.farFrom(blend.crossings(tree, Touches::Count)), face);
+  overlap.addTo(notes);
   return notes;
 }
 

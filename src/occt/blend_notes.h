@@ -3,19 +3,20 @@
 #include <vector>
 
 #include "core/analysis/continuity_report.h"
-#include "core/boundary/side_chain.h"
+#include "core/boundary/boundary_loop.h"
 #include "core/spline/bspline_surface.h"
 #include "occt/shape_index.h"
 
 namespace fairing::occt {
 
 /// What is wrong with a blend as a surface in its place: where it has creases, folds, cuts through
-/// itself or through the faces it joins, and where these overlap. By triangles whose distance from
+/// itself or through the faces it joins, and where these overlap. `sides`: all
+/// chains it joins. By triangles whose distance from
 /// the surfaces is below 0.2 % of the blend's diagonal; what happens within 1 % of the joined edges
 /// is not seen.
 [[nodiscard]] std::vector<analysis::Note> blendNotes(
     const ShapeIndex& index,
-    const boundary::ChainPair& pair,
+    const boundary::BoundaryLoop& sides,
     const std::vector<spline::BsplineSurface>& patches);
 
 }  // namespace fairing::occt

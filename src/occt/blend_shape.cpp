@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/blend/blend_loops.h"
+#include "core/blend/blend_ring.h"
 #include "core/blend/natural_strip.h"
 #include "occt/blend_notes.h"
 #include "occt/make_faces.h"
@@ -25,6 +25,8 @@ Result<ShapeBlend> joined(const Base& base,
                           Blend blend,
                           ResultMode mode) {
   FillResult& fill = blend.fill;
+  for (const analysis::Note& note : blendNotes(base.index, sides, fill.patches))
+    fill.report.notes.push_back(inNumbersOf(note, base.users));
   boundary::BoundaryLoop named = inNumbersOf(sides, base.users);
   addSingularSupports(named, fill.report);
   const auto faces = makeFaces(fill);
@@ -43,8 +45,6 @@ Result<ShapeBlend> strip(const Base& base,
   named.sides = inNumbersOf(std::move(named.sides), base.users);
   auto blend = blendChains(named, options, progress);
   if (!blend) return fail(blend.error());
-  for (const analysis::Note& note : blendNotes(base.index, pair, blend->fill.patches))
-    blend->fill.report.notes.push_back(inNumbersOf(note, base.users));
   return joined(base, pair.sides, std::move(*blend), mode);
 }
 
@@ -58,13 +58,13 @@ const char* wishOfPair(const BlendPicks& picks) {
 }
 
 Result<ShapeBlend> junction(const Base& base,
-                            const boundary::BoundaryLoop& ring,
+                            const boundary::ChainRing& ring,
                             const BlendOptions& options,
                             ResultMode mode,
                             Progress* progress) {
-  auto made = blendLoops(ring, options, progress);
+  auto made = blendRing(ring, options, progress);
   if (!made) return fail(made.error());
-  return joined(base, ring, {std::move(*made), nullptr}, mode);
+  return joined(base, ring.sides, {std::move(*made), nullptr}, mode);
 }
 
 }  // namespace
@@ -77,12 +77,13 @@ Result<ShapeBlend> blendShape(const ShapeIndex& index,
   if (const auto error = validate(options)) return fail(*error);
   const auto sides = readBlend(index, picks);
   if (!sides) return fail(sides.error());
-  if (const auto* ring = std::get_if<boundary::BoundaryLoop>(&*sides)) {
+  if (const auto* ring = std::get_if<boundary::ChainRing>(&*sides)) {
     if (const char* wish = wishOfPair(picks))
       return fail({.code = ErrorCode::JunctionWish, .detail = wish});
     return junction({index}, *ring, options, mode, progress);
   }
   const auto& pair = std::get<boundary::ChainPair>(*sides);
+  if (!picks.cuts.empty()) return fail({.code = ErrorCode::CutUnfit, .edge = picks.cuts.front()});
   const bool isSetBack = picks.setback != std::array<double, 2>{};
   if (!isSetBack) return strip({index}, pair, options, mode, progress);
   if (!picks.pairs.empty()) return fail({.code = ErrorCode::SetbackPairs});

@@ -16,7 +16,7 @@ struct ShapeBlend : ShapeFill {
 /// The whole way: chains, strip or junction, faces, result. With a setback the base is the shape
 /// with its faces trimmed back, and edges bear the numbers of those they were set back from. Fails
 /// with JunctionWish for a setback or a matching of a junction, SetbackPairs, and the codes of
-/// readBlend(), trimBack(), blendChains(), blendLoops() and joinResult().
+/// readBlend(), trimBack(), blendChains(), blendRing() and joinResult().
 [[nodiscard]] Result<ShapeBlend> blendShape(const ShapeIndex& index,
                                             const BlendPicks& picks,
                                             const BlendOptions& options,

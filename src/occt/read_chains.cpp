@@ -11,8 +11,10 @@
 #include <optional>
 #include <set>
 
+#include "core/boundary/ring_of_chains.h"
 #include "core/boundary/ring_of_loops.h"
 #include "occt/border_graph.h"
+#include "occt/edge_curve.h"
 #include "occt/from_occt.h"
 #include "occt/guarded.h"
 #include "occt/read_side.h"
@@ -257,18 +259,60 @@ Result<boundary::ChainPair> pairOf(const ShapeIndex& index,
   return pair;
 }
 
-/// The first side's chain and those of the second one where they are several, all closed; else
-/// nothing.
-std::vector<SideChain> loopsOf(const ShapeIndex& index,
-                               const BorderGraph& graph,
-                               const BlendPicks& picks) {
+/// The first side's chain and those of the second one where they make a ring; else nothing.
+Result<std::vector<SideChain>> chainsOfRing(const ShapeIndex& index,
+                                            const BorderGraph& graph,
+                                            const BlendPicks& picks) {
   auto groups = groupsOf(index, graph, picks.to);
-  if (!groups || groups->size() < 2) return {};
+  if (!groups || (groups->size() < 2 && !picks.ring)) return {};
   groups->insert(groups->begin(), picks.from);
   auto chains = chainsOf(index, graph, *groups, picksOf(picks));
+  if (picks.ring) return chains;
   const auto isClosed = [](const SideChain& chain) { return chain.closed; };
   if (!chains || !std::all_of(chains->begin() + 1, chains->end(), isClosed)) return {};
-  return std::move(*chains);
+  return chains;
+}
+
+/// The place on the rims where an end of an edge that shows a cut lies.
+Result<boundary::LoopPlace> placeOnRims(const boundary::BoundaryLoop& rims,
+                                        const Eigen::Vector3d& end,
+                                        int edge) {
+  constexpr double kOnRim = 5e-4;  // of the diagonal: as far apart as edges that meet
+  const boundary::LoopPlace place = boundary::nearestPlace(rims, end);
+  const double distance = (boundary::pointAt(rims, place) - end).norm();
+  if (distance > kOnRim * rims.diagonal)
+    return fail({.code = ErrorCode::CutOffRims, .edge = edge, .where = end, .value = distance});
+  return place;
+}
+
+Result<std::vector<boundary::RingCut>> cutsOf(const ShapeIndex& index,
+                                              const boundary::BoundaryLoop& rims,
+                                              const std::vector<int>& edges) {
+  if (const auto wrong = wrongEdge(index, edges)) return fail(*wrong);
+  std::vector<boundary::RingCut> cuts;
+  for (const int edge : edges) {
+    const EdgeCurve curve(index.edge(edge), Direction::Forward);
+    const auto first = placeOnRims(rims, curve.at(0.0).point, edge);
+    if (!first) return fail(first.error());
+    const auto second = placeOnRims(rims, curve.at(1.0).point, edge);
+    if (!second) return fail(second.error());
+    cuts.push_back({*first, *second, edge});
+  }
+  return cuts;
+}
+
+Result<boundary::ChainRing> ringOf(const ShapeIndex& index,
+                                   const std::vector<SideChain>& chains,
+                                   const BlendPicks& picks) {
+  auto loop = picks.ring && !chains.front().closed ? boundary::ringOfChains(chains)
+                                                   : boundary::ringOfLoops(chains);
+  if (!loop) return fail(loop.error());
+  if (const auto stray = strayWish(picksOf(picks), loop->sides)) return fail(*stray);
+  if (loop->isOpen() && !picks.cuts.empty())
+    return fail({.code = ErrorCode::CutUnfit, .edge = picks.cuts.front()});
+  const auto cuts = cutsOf(index, *loop, picks.cuts);
+  if (!cuts) return fail(cuts.error());
+  return boundary::ChainRing{std::move(*loop), *cuts};
 }
 
 }  // namespace
@@ -284,12 +328,10 @@ Result<BlendSides> readBlend(const ShapeIndex& index, const BlendPicks& picks) {
   return guarded([&]() -> Result<BlendSides> {
     if (const auto wrong = checkSides(picks)) return fail(*wrong);
     const BorderGraph graph = BorderGraph::build(index, {});
-    const std::vector<SideChain> loops = loopsOf(index, graph, picks);
-    if (loops.empty()) return pairOf(index, graph, picks);
-    auto ring = boundary::ringOfLoops(loops);
-    if (!ring) return fail(ring.error());
-    if (const auto stray = strayWish(picksOf(picks), ring->sides)) return fail(*stray);
-    return std::move(*ring);
+    const auto chains = chainsOfRing(index, graph, picks);
+    if (!chains) return fail(chains.error());
+    if (chains->size() > 2) return ringOf(index, *chains, picks);
+    return pairOf(index, graph, picks);
   });
 }
 

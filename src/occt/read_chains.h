@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/boundary/chain_ring.h"
 #include "core/boundary/side_chain.h"
 #include "occt/picks.h"
 #include "occt/shape_index.h"
@@ -24,6 +25,10 @@ struct BlendPicks {
   boundary::MatchKind match = boundary::MatchKind::Auto;
   double alignment = 0.0;                       ///< of closed sides (boundary/chain_match.h)
   std::vector<std::pair<int, int>> pairs = {};  ///< VertexN of the sides that belong together
+  /// Open chains of the second side are one side each of a blend round a vertex.
+  bool ring = false;
+  std::vector<int> cuts =
+      {};  ///< edges whose ends show where the cuts of a junction leave its rims
 };
 
 /// The two chains the picks mean: the picked edges of a side, and those that continue them smoothly
@@ -34,12 +39,12 @@ struct BlendPicks {
 [[nodiscard]] Result<boundary::ChainPair> readChains(const ShapeIndex& index,
                                                      const BlendPicks& picks);
 
-/// What a blend joins: two chains, or the ring of three closed ones and more.
-using BlendSides = std::variant<boundary::ChainPair, boundary::BoundaryLoop>;
+/// What a blend joins: two chains, or three and more in a ring.
+using BlendSides = std::variant<boundary::ChainPair, boundary::ChainRing>;
 
 /// What the picks mean: a ring where the edges of the second side make several chains, all of them
-/// closed, each extended as readChains() does; else two chains. Fails with the codes of
-/// readChains() and boundary::ringOfLoops().
+/// closed, or all open and `ring` asked for, each extended as readChains() does; else two chains.
+/// Fails with CutOffRims, the codes of readChains(), boundary::ringOfLoops() and ringOfChains().
 [[nodiscard]] Result<BlendSides> readBlend(const ShapeIndex& index, const BlendPicks& picks);
 
 /// One side of a blend.

@@ -88,6 +88,14 @@ const char* name(ErrorCode code) {
       return "ChainsUnlike";
     case ErrorCode::EdgeOnBothSides:
       return "EdgeOnBothSides";
+    case ErrorCode::CutUnfit:
+      return "CutUnfit";
+    case ErrorCode::CutOffRims:
+      return "CutOffRims";
+    case ErrorCode::CutsTooClose:
+      return "CutsTooClose";
+    case ErrorCode::RingWithoutGap:
+      return "RingWithoutGap";
     case ErrorCode::JunctionReach:
       return "JunctionReach";
     case ErrorCode::OneSideOnly:

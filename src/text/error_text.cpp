@@ -166,7 +166,7 @@ std::string blendSentence(const Error& e) {
     case ErrorCode::ChainBroken:
       return fmt::format(
           "Edge {} does not connect to the other edges of its side of the blend{}: pick the "
-          "edges between, or leave it out.",
+          "edges between, leave it out, or ask for a ring of sides.",
           e.edge,
           at(e));
     case ErrorCode::ChainBranches:
@@ -175,13 +175,6 @@ std::string blendSentence(const Error& e) {
           "them.",
           at(e),
           e.edge);
-    case ErrorCode::ChainTurns:
-      return fmt::format(
-          "One side of the junction turns by {} at the end of edge {}{}: only smooth loops make a "
-          "junction.",
-          angle(e.value),
-          e.edge,
-          at(e));
     case ErrorCode::CornersDiffer:
       return fmt::format(
           "One side of the blend has {} corner{}, the other one {}: match them by length, or set "
@@ -214,13 +207,6 @@ std::string blendSentence(const Error& e) {
           "One side of the blend is closed, the side of edge {} is open: pick two closed "
           "sides or two open ones.",
           e.edge);
-    case ErrorCode::JunctionReach:
-      return fmt::format(
-          "A junction of three loops or more reaches as far as its energy likes best: leave the "
-          "reach at 1, not {}.",
-          e.value);
-    case ErrorCode::JunctionWish:
-      return fmt::format("A junction of three loops or more takes no {}: leave it out.", e.detail);
     case ErrorCode::ReachVariesRound:
       return fmt::format(
           "The side of edge {} is closed, so its reach cannot grow from its start to its end: give "
@@ -228,6 +214,47 @@ std::string blendSentence(const Error& e) {
           e.edge);
     default:
       return fmt::format("The reach must be above 0, not {}.", number(e.value));
+  }
+}
+
+std::string junctionSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::ChainTurns:
+      return fmt::format(
+          "One side of the junction turns by {} at the end of edge {}{}: only smooth loops make a "
+          "junction.",
+          angle(e.value),
+          e.edge,
+          at(e));
+    case ErrorCode::CutUnfit:
+      return fmt::format(
+          "Edge {} is no cut of a junction: one cut at most joins two closed sides that are "
+          "neighbours.",
+          e.edge);
+    case ErrorCode::CutOffRims:
+      return fmt::format(
+          "The cut of edge {} ends {} off the sides of the junction{}: draw it from one side to "
+          "another.",
+          e.edge,
+          length(e.value),
+          at(e));
+    case ErrorCode::CutsTooClose:
+      return fmt::format(
+          "The two cuts that leave the side of edge {} are too close to each other{}: set them "
+          "farther apart.",
+          e.edge,
+          at(e));
+    case ErrorCode::RingWithoutGap:
+      return fmt::format(
+          "The edges picked, edge {} among them, enclose a hole without a gap: fill the hole.",
+          e.edge);
+    case ErrorCode::JunctionReach:
+      return fmt::format(
+          "A junction of three loops or more reaches as far as its energy likes best: leave the "
+          "reach at 1, not {}.",
+          e.value);
+    default:
+      return fmt::format("A junction of three loops or more takes no {}: leave it out.", e.detail);
   }
 }
 
@@ -335,18 +362,23 @@ std::string sentence(const Error& error) {
     case ErrorCode::EdgeOnBothSides:
     case ErrorCode::ChainBroken:
     case ErrorCode::ChainBranches:
-    case ErrorCode::ChainTurns:
     case ErrorCode::CornersDiffer:
     case ErrorCode::PairOffChain:
     case ErrorCode::PairsCross:
     case ErrorCode::AlignmentOutOfRange:
     case ErrorCode::AlignmentUnused:
     case ErrorCode::ChainsUnlike:
-    case ErrorCode::JunctionReach:
     case ErrorCode::ReachNotPositive:
     case ErrorCode::ReachVariesRound:
-    case ErrorCode::JunctionWish:
       return blendSentence(error);
+    case ErrorCode::ChainTurns:
+    case ErrorCode::CutUnfit:
+    case ErrorCode::CutOffRims:
+    case ErrorCode::CutsTooClose:
+    case ErrorCode::RingWithoutGap:
+    case ErrorCode::JunctionReach:
+    case ErrorCode::JunctionWish:
+      return junctionSentence(error);
     case ErrorCode::DepartureNotTangent:
     case ErrorCode::DepartureAlongEdge:
     case ErrorCode::SetbackNegative:

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gmock/gmock.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRep_Tool.hxx>
-#include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -71,21 +71,6 @@ BlendPicks rimsOf(const TopoDS_Shape& shape,
 ShapeFill joined(const std::vector<Pipe>& pipes) {
   const TopoDS_Shape shape = shapeOf(pipes);
   return blended(shape, rimsOf(shape, pipes));
-}
-
-/// Largest distance of the points of one junction from the faces of another.
-double apart(const ShapeFill& a, const ShapeFill& b) {
-  double largest = 0.0;
-  for (const Vector3d& p : pointsOf(a, 3)) {
-    double least = std::numeric_limits<double>::infinity();
-    for (TopExp_Explorer face(b.shape, TopAbs_FACE); face.More(); face.Next()) {
-      const GeomAPI_ProjectPointOnSurf foot(gp_Pnt(p.x(), p.y(), p.z()),
-                                            BRep_Tool::Surface(TopoDS::Face(face.Current())));
-      if (foot.NbPoints() > 0) least = std::min(least, foot.LowerDistance());
-    }
-    largest = std::max(largest, least);
-  }
-  return largest;
 }
 
 TEST(BlendJunction, JoinsThreeSkewPipesTangentially) {
@@ -201,10 +186,83 @@ TEST(BlendJunction, RefusesOpenChainsAndAReach) {
       compound({shapeOf(pipes), grid(plane, {0.0, 5.0}, {0.0, 5.0}, {}, Joint::Loose)});
   const auto edges =
       edgesNear(ShapeIndex(shape), {pipes[0].rim(), pipes[1].rim(), Vector3d(2.5, 0, 30)});
-  const BlendPicks mixed{.from = {edges[0]}, .to = {edges[1], edges[2]}};
+  BlendPicks mixed{.from = {edges[0]}, .to = {edges[1], edges[2]}};
   EXPECT_EQ(refusal(shape, mixed), ErrorCode::ChainBroken);
+  mixed.ring = true;
+  EXPECT_EQ(refusal(shape, mixed), ErrorCode::ChainsUnlike);
   const BlendPicks rims = rimsOf(shape, pipes);
   EXPECT_EQ(refusal(shape, rims, {.reach = {{1.5, 1.0}}}), ErrorCode::JunctionReach);
+}
+
+/// The rims of three skew pipes and, last in the shape, edges from rim to rim: from an angle on one
+/// pipe to an angle on the next one.
+struct CutPipes {
+  TopoDS_Shape shape;
+  BlendPicks picks;
+  std::vector<Vector3d> ends;
+};
+
+CutPipes cutPipes(const std::vector<std::array<double, 2>>& angles) {
+  const std::vector<Pipe> pipes = skewPipes();
+  std::vector<TopoDS_Shape> parts{shapeOf(pipes)};
+  CutPipes result;
+  std::vector<Vector3d> middles;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const Pipe &one = pipes[k % 3], &next = pipes[(k + 1) % 3];
+    const gp_Pnt a = one.surface()->Value(angles[k][0], one.gap);
+    const gp_Pnt b = next.surface()->Value(angles[k][1], next.gap);
+    parts.push_back(BRepBuilderAPI_MakeEdge(a, b).Shape());
+    result.ends.insert(result.ends.end(), {fromOcct(a), fromOcct(b)});
+    middles.push_back(0.5 * (fromOcct(a) + fromOcct(b)));
+  }
+  result.shape = compound(parts);
+  result.picks = rimsOf(result.shape, pipes);
+  result.picks.cuts = edgesNear(ShapeIndex(result.shape), middles);
+  return result;
+}
+
+TEST(BlendJunction, IsCutWhereItIsShown) {
+  const CutPipes pipes = cutPipes({{2.0, 6.0}, {3.4, 5.2}});
+  const ShapeFill blend = blended(pipes.shape, pipes.picks);
+  EXPECT_TRUE(blend.fill.report.withinTolerance);
+  for (const Vector3d& end : pipes.ends) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const spline::BsplineSurface& patch : blend.fill.patches)
+      for (const double u : {patch.u.first(), patch.u.last()})
+        for (const double v : {patch.v.first(), patch.v.last()})
+          least = std::min(least, (patch.jet(u, v).point - end).norm());
+    EXPECT_LT(least, 1e-6) << end.transpose();
+  }
+}
+
+TEST(BlendJunction, SaysWhichCutsDoNotSuit) {
+  const auto codeOf = [](const CutPipes& pipes) { return refusal(pipes.shape, pipes.picks); };
+  EXPECT_EQ(codeOf(cutPipes({{2.0, 6.0}, {3.4, 5.2}, {0.0, 2.0}, {2.2, 6.2}})),
+            ErrorCode::CutUnfit);
+  CutPipes pipes = cutPipes({{2.0, 6.0}});
+  pipes.picks.cuts = edgesNear(ShapeIndex(pipes.shape), {skewPipes().front().rim()});
+  EXPECT_EQ(codeOf(pipes), ErrorCode::CutUnfit);
+  pipes = cutPipes({{2.0, 6.0}, {6.1, 5.2}});
+  EXPECT_EQ(codeOf(pipes), ErrorCode::CutsTooClose);
+  pipes = cutPipes({{2.0, 6.0}});
+  pipes.shape = compound(
+      {shapeOf(skewPipes()), BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(0, 0, 3)).Shape()});
+  pipes.picks = rimsOf(pipes.shape, skewPipes());
+  pipes.picks.cuts = edgesNear(ShapeIndex(pipes.shape), {Vector3d(0, 0, 1.5)});
+  EXPECT_EQ(codeOf(pipes), ErrorCode::CutOffRims);
+}
+
+// Pipes that end so near the origin that each one's wall cuts through the next one's.
+TEST(BlendJunction, TellsWherePipesOverlap) {
+  std::vector<Pipe> pipes = skewPipes();
+  const auto codesOf = [](const ShapeFill& blend) {
+    std::vector<analysis::NoteCode> codes;
+    for (const analysis::Note& note : blend.fill.report.notes) codes.push_back(note.code);
+    return codes;
+  };
+  EXPECT_THAT(codesOf(joined(pipes)), ::testing::IsEmpty());
+  pipes[0].gap = pipes[1].gap = 1.0;
+  EXPECT_THAT(codesOf(joined(pipes)), ::testing::Contains(analysis::NoteCode::BasesOverlap));
 }
 
 TEST(BlendJunction, TakesNothingThatSaysWhichPointsBelongTogether) {

@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <limits>
 #include <numbers>
 
 #include "occt/shapes.h"
@@ -64,6 +69,20 @@ std::vector<Vector3d> pointsOf(const occt::ShapeFill& blend, int cells) {
       for (int j = 0; j <= cells; ++j)
         points.push_back(patch.evaluate(patch.u.last() * i / cells, patch.v.last() * j / cells));
   return points;
+}
+
+double apart(const occt::ShapeFill& a, const occt::ShapeFill& b) {
+  double largest = 0.0;
+  for (const Vector3d& p : pointsOf(a, 3)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (TopExp_Explorer face(b.shape, TopAbs_FACE); face.More(); face.Next()) {
+      const GeomAPI_ProjectPointOnSurf foot(gp_Pnt(p.x(), p.y(), p.z()),
+                                            BRep_Tool::Surface(TopoDS::Face(face.Current())));
+      if (foot.NbPoints() > 0) least = std::min(least, foot.LowerDistance());
+    }
+    largest = std::max(largest, least);
+  }
+  return largest;
 }
 
 }  // namespace fairing::testing

@@ -38,4 +38,7 @@ using Blended = Result<occt::ShapeBlend>;
 /// (cells + 1)^2 points of every patch.
 [[nodiscard]] std::vector<Eigen::Vector3d> pointsOf(const occt::ShapeFill& blend, int cells);
 
+/// Largest distance of 16 points of every patch of one blend from the faces of another.
+[[nodiscard]] double apart(const occt::ShapeFill& a, const occt::ShapeFill& b);
+
 }  // namespace fairing::testing

@@ -67,12 +67,13 @@ class Mesher {
 }  // namespace
 
 TriangleMesh meshOf(const std::vector<spline::BsplineSurface>& patches, int cells) {
-  double width = 0.0, height = 0.0;
-  for (const spline::BsplineSurface& patch : patches)
-    width += widthOf(patch.u), height += widthOf(patch.v);
-  const int each = cells / std::max(1, static_cast<int>(patches.size()));
-  const int nu = static_cast<int>(std::clamp(std::sqrt(each * width / height), kFewest, kMost));
-  const int nv = std::max(static_cast<int>(kFewest), each / nu);
+  if (patches.empty()) return {};
+  const int each = cells / static_cast<int>(patches.size());
+  // Where patches meet u may run along one of them and v along the other.
+  const double ratio =
+      patches.size() == 1 ? widthOf(patches.front().u) / widthOf(patches.front().v) : 1.0;
+  const int nu = static_cast<int>(std::clamp(std::sqrt(each * ratio), kFewest, kMost));
+  const int nv = patches.size() == 1 ? std::max(static_cast<int>(kFewest), each / nu) : nu;
   Mesher mesher;
   for (const spline::BsplineSurface& patch : patches) mesher.add(patch, nu, nv);
   return std::move(mesher).finish();

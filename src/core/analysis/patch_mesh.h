@@ -5,9 +5,10 @@
 
 namespace fairing::analysis {
 
-/// Triangles on patches of a row, about 2 `cells` in all, as many along u and v on each of them, at
-/// least eight, as square as their domains allow. Points of borders that coincide, within 1e-7 of
-/// the patches' extent, are one: neighbours share those of their seam.
+/// Triangles on patches that meet edge to edge, about 2 `cells` in all: of one patch as square as
+/// its domain allows, of several as many along u and v on each of them; at least eight. Points of
+/// borders that coincide, within 1e-7 of the patches' extent, are one: neighbours share those of
+/// their seam.
 [[nodiscard]] TriangleMesh meshOf(const std::vector<spline::BsplineSurface>& patches,
                                   int cells = 1600);
 

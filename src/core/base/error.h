@@ -49,6 +49,10 @@ enum class ErrorCode {
   EdgeOnBothSides,        ///< edge: picked for both sides of a blend
   OneSideOnly,            ///< detail = "from" or "to": no edge picked for this side of a blend
   ReachNotPositive,       ///< value = the reach given
+  CutUnfit,               ///< edge: shows a cut that joins no neighbours, or joins them again
+  CutOffRims,             ///< edge, where, value = mm: a cut's end is not on the junction's sides
+  CutsTooClose,           ///< edge, where: two cuts leave it close to each other
+  RingWithoutGap,         ///< edge: the chains of a ring touch each other all round
   JunctionReach,          ///< value = the reach given: a junction of three loops or more has none
   JunctionWish,           ///< detail = "flip", "setback", ...: not for three loops or more
   ReachVariesRound,       ///< edge of a closed side whose reach is to vary along it

@@ -70,6 +70,24 @@ double insideAngle(const BoundarySide& before, const BoundarySide& after, double
   return on.cross(back).dot(normal) < 0.0 ? 360.0 - angle : angle;
 }
 
+Result<BoundaryLoop> makeChains(std::vector<BoundarySide> sides,
+                                std::vector<std::size_t> further,
+                                bool areOpen) {
+  auto loop = measureSides(std::move(sides));
+  if (!loop) return loop;
+  loop->further = std::move(further);
+  for (std::size_t i = 0; i < loop->sides.size(); ++i) {
+    const BoundarySide& before = loop->sides[i];
+    const std::size_t next = loop->next(i);
+    Corner corner;
+    corner.apart = areOpen && next <= i;
+    if (!corner.apart) corner = cornerBetween(before, loop->sides[next]);
+    if (const auto open = checkMeeting(before, corner, loop->diagonal)) return fail(*open);
+    loop->corners.push_back(corner);
+  }
+  return loop;
+}
+
 }  // namespace
 
 std::vector<std::pair<std::size_t, std::size_t>> BoundaryLoop::chains() const {
@@ -139,16 +157,12 @@ Result<BoundaryLoop> measureSides(std::vector<BoundarySide> sides) {
 }
 
 Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides, std::vector<std::size_t> further) {
-  auto loop = measureSides(std::move(sides));
-  if (!loop) return loop;
-  loop->further = std::move(further);
-  for (std::size_t i = 0; i < loop->sides.size(); ++i) {
-    const BoundarySide& before = loop->sides[i];
-    loop->corners.push_back(cornerBetween(before, loop->sides[loop->next(i)]));
-    if (const auto open = checkMeeting(before, loop->corners.back(), loop->diagonal))
-      return fail(*open);
-  }
-  return loop;
+  return makeChains(std::move(sides), std::move(further), false);
+}
+
+Result<BoundaryLoop> makeOpenChains(std::vector<BoundarySide> sides,
+                                    std::vector<std::size_t> further) {
+  return makeChains(std::move(sides), std::move(further), true);
 }
 
 }  // namespace fairing::boundary

@@ -69,8 +69,8 @@ struct Corner {
 };
 
 /// A closed chain of sides, head to tail: the end of side i is the start of side i+1, the last
-/// one's end that of side 0; or several of them; or two chains one after the other (side_chain.h).
-/// Seen against the support normals the hole lies to the left.
+/// one's end that of side 0; or several of them; or open chains one after the other (side_chain.h,
+/// ring_of_chains.h). Seen against the support normals the hole lies to the left.
 struct BoundaryLoop {
   std::vector<BoundarySide> sides;
   std::vector<Corner> corners;  ///< corners[i] is at the end of sides[i]
@@ -82,6 +82,8 @@ struct BoundaryLoop {
   /// starts.
   [[nodiscard]] std::size_t next(std::size_t side) const;
   [[nodiscard]] std::size_t previous(std::size_t side) const;
+  /// Whether its chains are open; all of them are, or none.
+  [[nodiscard]] bool isOpen() const { return corners.back().apart; }
   /// The chains: the position of the first side, and the one behind the last.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> chains() const;
 };
@@ -91,6 +93,10 @@ struct BoundaryLoop {
 /// or EdgeWithoutFace.
 [[nodiscard]] Result<BoundaryLoop> makeLoop(std::vector<BoundarySide> sides,
                                             std::vector<std::size_t> further = {});
+
+/// The same of open chains: where one ends the corner is `apart`. Fails as makeLoop() does.
+[[nodiscard]] Result<BoundaryLoop> makeOpenChains(std::vector<BoundarySide> sides,
+                                                  std::vector<std::size_t> further);
 
 /// What makeLoop() does without a look at where sides meet: the corners are left out.
 [[nodiscard]] Result<BoundaryLoop> measureSides(std::vector<BoundarySide> sides);

@@ -13,6 +13,12 @@ struct LoopPlace {
   double t = 0.0;
 };
 
+[[nodiscard]] Eigen::Vector3d pointAt(const BoundaryLoop& loop, const LoopPlace& place);
+
+/// The place of a loop's sides that is nearest to a point: to a rounding where a side is smooth and
+/// the point close to it.
+[[nodiscard]] LoopPlace nearestPlace(const BoundaryLoop& loop, const Eigen::Vector3d& point);
+
 /// The stretch [from, to] of an edge, and the stretch [start, end] of the new side it became.
 struct Stretch {
   std::size_t edge = 0;  ///< position among the sides of the loop that was cut
@@ -32,9 +38,9 @@ struct CutLoop {
   std::vector<std::vector<Stretch>> stretches;  ///< of every new side, in its direction
 };
 
-/// Cuts a loop at places given in its order, two at least in every closed chain, chain by chain
-/// (within each of them from any place on); new side k starts at cuts[k] and is that
-/// of sideOfStretches() (edge_chain.h). Fails with the codes of makeLoop().
+/// Cuts a loop at places given in its order, two at least in every chain, chain by chain: within
+/// closed ones from any place on, new side k starting at cuts[k]; open ones from end to end. Sides
+/// are those of sideOfStretches() (edge_chain.h). Fails with the codes of makeLoop().
 [[nodiscard]] Result<CutLoop> cutLoop(const BoundaryLoop& loop,
                                       const std::vector<LoopPlace>& cuts,
                                       int mostPoles);

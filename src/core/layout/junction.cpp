@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/layout/junction.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/boundary/ring_of_loops.h"
 #include "core/layout/loop_corners.h"
-#include "core/layout/loop_picture.h"
+#include "core/layout/ring_star.h"
 
 namespace fairing::layout {
 namespace {
 
 using boundary::BoundaryLoop;
-using Eigen::Vector2d;
+using boundary::ChainRing;
+using boundary::LoopPlace;
+using boundary::RingCut;
 using Eigen::Vector3d;
 
 // Sides with more control points are not taken over: they would multiply those of several patches.
 constexpr int kMostPoles = 12;
 constexpr int kSamples = 64;
 constexpr int kHalvings = 48;
+// What every half of a chain has of its length at least.
+constexpr double kLeastHalf = 0.05;
 
 std::vector<Vector3d> centresOf(const BoundaryLoop& loop) {
   std::vector<Vector3d> centres;
@@ -55,129 +58,132 @@ double farthest(const BoundaryLoop& loop, const LoopLength& lengths, const Vecto
   return 0.5 * (low + high);
 }
 
-// Of every chain: s, f, e, g (the middle of the back half).
-std::vector<boundary::LoopPlace> cutsOf(const BoundaryLoop& loop) {
-  const std::vector<Vector3d> centres = centresOf(loop);
-  const auto chains = loop.chains();
+// Where the cuts leave a chain: to the previous one and to the next one, by length.
+struct ChainCuts {
+  std::optional<double> start, end;
+};
+
+std::vector<LoopLength> lengthsOf(const BoundaryLoop& loop) {
+  std::vector<LoopLength> lengths;
+  for (const auto& [first, end] : loop.chains()) lengths.emplace_back(loop, first, end);
+  return lengths;
+}
+
+// The cuts that are set, by chain.
+Result<std::vector<ChainCuts>> cutsThatAreSet(const ChainRing& ring,
+                                              const std::vector<LoopLength>& lengths) {
+  const auto chains = ring.sides.chains();
   const std::size_t n = chains.size();
-  std::vector<boundary::LoopPlace> cuts;
+  const auto chainOf = [&](const LoopPlace& place) {
+    std::size_t chain = 0;
+    while (place.side >= chains[chain].second) ++chain;
+    return chain;
+  };
+  std::vector<ChainCuts> set(n);
+  for (const RingCut& cut : ring.cuts) {
+    LoopPlace from = cut.first, to = cut.second;
+    if (chainOf(from) == (chainOf(to) + 1) % n) std::swap(from, to);
+    const std::size_t a = chainOf(from), b = chainOf(to);
+    if (b != (a + 1) % n || set[a].end)
+      return fail({.code = ErrorCode::CutUnfit, .edge = cut.edge});
+    set[a].end = lengths[a].upTo(from);
+    set[b].start = lengths[b].upTo(to);
+  }
+  return set;
+}
+
+// Of every chain: s, f, e, g (the middle of the back half).
+Result<std::vector<LoopPlace>> cutsOf(const ChainRing& ring) {
+  const std::vector<Vector3d> centres = centresOf(ring.sides);
+  const std::vector<LoopLength> lengths = lengthsOf(ring.sides);
+  const auto set = cutsThatAreSet(ring, lengths);
+  if (!set) return fail(set.error());
+  const std::size_t n = lengths.size();
+  std::vector<LoopPlace> cuts;
   for (std::size_t i = 0; i < n; ++i) {
-    const LoopLength lengths(loop, chains[i].first, chains[i].second);
     const Vector3d next = (centres[(i + 1) % n] - centres[i]).normalized();
     const Vector3d previous = (centres[(i + n - 1) % n] - centres[i]).normalized();
-    const double whole = lengths.whole();
-    const double start = farthest(loop, lengths, previous - next);
-    double end = farthest(loop, lengths, next - previous);
+    const auto [setStart, setEnd] = (*set)[i];
+    const double whole = lengths[i].whole();
+    const double start = setStart.value_or(farthest(ring.sides, lengths[i], previous - next));
+    double end = setEnd.value_or(farthest(ring.sides, lengths[i], next - previous));
     end -= whole * std::floor((end - start) / whole);
+    if (std::min(end - start, whole - (end - start)) < kLeastHalf * whole)
+      return fail({.code = ErrorCode::CutsTooClose,
+                   .edge = ring.sides.sides[lengths[i].placeAt(start).side].edge,
+                   .where = pointAt(ring.sides, lengths[i].placeAt(start))});
     for (const double length : {start, 0.5 * (start + end), end, 0.5 * (end + start + whole)})
-      cuts.push_back(lengths.placeAt(length));
+      cuts.push_back(lengths[i].placeAt(length));
   }
   return cuts;
 }
 
-// Places of the vertices in space, of those inside as good as guessed: where a cut's cubic has its
-// middle, and means of what lies round a centre.
-struct Vertices {
-  explicit Vertices(const BoundaryLoop& loop) : n(static_cast<int>(loop.chains().size())) {
-    for (const boundary::BoundarySide& side : loop.sides)
-      points.push_back(side.ribbon.curve(0.0).point);
-    for (int i = 0; i < n; ++i) points.push_back(middleOfCut(loop, i));
-    for (const bool isFront : {true, false}) {
-      Vector3d sum = Vector3d::Zero();
-      for (int i = 0; i < n; ++i) sum += at(half(i, isFront)) + at(middle(i));
-      points.push_back(sum / (2.0 * n));
-    }
-  }
-  [[nodiscard]] int start(int i) const { return 4 * (i % n); }
-  [[nodiscard]] int end(int i) const { return 4 * i + 2; }
-  [[nodiscard]] int half(int i, bool front) const { return 4 * (i % n) + (front ? 1 : 3); }
-  [[nodiscard]] int middle(int i) const { return 4 * n + (i + n) % n; }
-  [[nodiscard]] int centre(bool front) const { return 5 * n + (front ? 0 : 1); }
-  [[nodiscard]] const Vector3d& at(int vertex) const {
-    return points[static_cast<std::size_t>(vertex)];
-  }
-  [[nodiscard]] double distance(int a, int b) const { return (at(a) - at(b)).norm(); }
-
-  int n;
-  std::vector<Vector3d> points;
-
- private:
-  // The way into the gap at the start of a side.
-  static Vector3d departure(const boundary::BoundarySide& side) {
-    if (!side.ribbon.hasSupport()) return Vector3d::Zero();
-    return side.ribbon.support(0.0).normal.cross(side.ribbon.curve(0.0).derivative).normalized();
-  }
-  [[nodiscard]] Vector3d middleOfCut(const BoundaryLoop& loop, int i) const {
-    const int a = end(i), b = start(i + 1);
-    const Vector3d leaving = departure(loop.sides[static_cast<std::size_t>(a)]) +
-                             departure(loop.sides[static_cast<std::size_t>(b)]);
-    return 0.5 * (at(a) + at(b)) + 0.125 * distance(a, b) * leaving;
-  }
-};
-
+// Vertices: s, f, e, g of every chain, the middles of the cuts, the two centres.
 class Mesher {
  public:
-  explicit Mesher(const BoundaryLoop& loop) : v_(loop) {}
+  explicit Mesher(const BoundaryLoop& loop) : n_(static_cast<int>(loop.chains().size())) {
+    for (const boundary::BoundarySide& side : loop.sides)
+      points_.push_back(side.ribbon.curve(0.0).point);
+    for (int i = 0; i < n_; ++i)
+      points_.push_back(middleOfWay(loop.sides[static_cast<std::size_t>(end(i))],
+                                    0.0,
+                                    loop.sides[static_cast<std::size_t>(start(i + 1))]));
+    for (const bool isFront : {true, false}) {
+      Vector3d sum = Vector3d::Zero();
+      for (int i = 0; i < n_; ++i) sum += at(half(i, isFront)) + at(middle(i));
+      points_.push_back(sum / (2.0 * n_));
+    }
+  }
 
-  [[nodiscard]] QuadMesh make() {
-    mesh_.inside.assign(v_.points.size(), 0);
-    std::fill(mesh_.inside.begin() + 4 * v_.n, mesh_.inside.end(), 1);
-    for (const bool front : {true, false})
-      for (int i = 0; i < v_.n; ++i) addHalf(i, front);
-    for (int i = 0; i < v_.n; ++i) showMiddle(i);
-    showCentre(true);
-    showCentre(false);
-    return std::move(mesh_);
+  [[nodiscard]] QuadMesh make() const {
+    RingMesh mesh(points_, 4 * n_);
+    mesh.addStar(front(), 5 * n_);
+    mesh.addStar(back(), 5 * n_ + 1);
+    for (int i = 0; i < n_; ++i)
+      mesh.showCrossing(middle(i), end(i), start(i + 1), {5 * n_}, {5 * n_ + 1});
+    return mesh.take();
   }
 
  private:
-  // The two patches beside one half of a chain, counter-clockwise.
-  void addHalf(int i, bool front) {
-    const int s = v_.start(i), e = v_.end(i), h = v_.half(i, front), c = v_.centre(front);
-    const int before = v_.middle(i - 1), after = v_.middle(i);
-    if (front) {
-      mesh_.quads.push_back({{before, s, h, c}, {-1, s, -1, -1}});
-      mesh_.quads.push_back({{h, e, after, c}, {h, -1, -1, -1}});
-    } else {
-      mesh_.quads.push_back({{after, e, h, c}, {-1, e, -1, -1}});
-      mesh_.quads.push_back({{h, s, before, c}, {h, -1, -1, -1}});
+  [[nodiscard]] int start(int i) const { return 4 * (i % n_); }
+  [[nodiscard]] int end(int i) const { return 4 * i + 2; }
+  [[nodiscard]] int half(int i, bool isFront) const { return 4 * i + (isFront ? 1 : 3); }
+  [[nodiscard]] int middle(int i) const { return 4 * n_ + (i + n_) % n_; }
+  [[nodiscard]] const Vector3d& at(int vertex) const {
+    return points_[static_cast<std::size_t>(vertex)];
+  }
+  // Side k of the cut loop starts at vertex k.
+  [[nodiscard]] StarBorder front() const {
+    StarBorder border;
+    for (int i = 0; i < n_; ++i) {
+      border.add(middle(i - 1));
+      border.add(start(i), start(i));
+      border.add(half(i, true), half(i, true));
+      border.add(end(i));
     }
+    return border;
   }
-  // A cut goes straight on at its middle, and so does what crosses it there.
-  void showMiddle(int i) {
-    const int m = v_.middle(i);
-    show(m, v_.end(i), -Vector2d::UnitX());
-    show(m, v_.start(i + 1), Vector2d::UnitX());
-    show(m, v_.centre(true), Vector2d::UnitY());
-    show(m, v_.centre(false), -Vector2d::UnitY());
-  }
-  void showCentre(bool front) {
-    const int c = v_.centre(front);
-    std::vector<int> around;
-    for (int i = 0; i < v_.n; ++i) {
-      const int k = front ? i : v_.n - 1 - i;
-      around.push_back(front ? v_.half(k, true) : v_.middle(k));
-      around.push_back(front ? v_.middle(k) : v_.half(k, false));
+  [[nodiscard]] StarBorder back() const {
+    StarBorder border;
+    for (int i = n_; i-- > 0;) {
+      border.add(middle(i));
+      border.add(end(i), end(i));
+      border.add(half(i, false), half(i, false));
+      border.add(start(i));
     }
-    std::vector<Vector3d> points;
-    for (const int vertex : around) points.push_back(v_.at(vertex));
-    const auto picture = pictureOf(points, v_.at(c));
-    for (std::size_t k = 0; k < around.size(); ++k) show(c, around[k], picture[k].normalized());
-  }
-  // From the far end nothing but the length is asked for where that lies on a chain.
-  void show(int from, int to, const Vector2d& direction) {
-    mesh_.ways[{from, to}] = v_.distance(from, to) * direction;
-    mesh_.ways.try_emplace({to, from}, -v_.distance(from, to) * direction);
+    return border;
   }
 
-  Vertices v_;
-  QuadMesh mesh_;
+  int n_;
+  std::vector<Vector3d> points_;
 };
 
 }  // namespace
 
-Result<LayoutPlan> junctionPlan(const BoundaryLoop& loop) {
-  auto cut = boundary::cutLoop(loop, cutsOf(loop), kMostPoles);
+Result<LayoutPlan> junctionPlan(const ChainRing& ring) {
+  const auto cuts = cutsOf(ring);
+  if (!cuts) return fail(cuts.error());
+  auto cut = boundary::cutLoop(ring.sides, *cuts, kMostPoles);
   if (!cut) return fail(cut.error());
   QuadMesh mesh = Mesher(cut->loop).make();
   return LayoutPlan{LayoutKind::Junction, std::move(*cut), std::move(mesh)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include "core/base/result.h"
+#include "core/boundary/chain_ring.h"
 #include "core/layout/layout_plan.h"
 
 namespace fairing::layout {
@@ -19,8 +20,9 @@ namespace fairing::layout {
 //              \      f2     /
 //               e2 ------- s2
 //
-/// Cuts start and end where a chain reaches farthest towards its neighbours. `loop` is that of
-/// boundary::ringOfLoops(). Fails with the codes of makeLoop().
-[[nodiscard]] Result<LayoutPlan> junctionPlan(const boundary::BoundaryLoop& loop);
+/// Cuts start and end where a chain reaches farthest towards its neighbours, but for those that are
+/// set. `ring` is that of boundary::ringOfLoops(). Fails with CutUnfit (a cut between chains that
+/// are no neighbours, or a second one), CutsTooClose and the codes of makeLoop().
+[[nodiscard]] Result<LayoutPlan> junctionPlan(const boundary::ChainRing& ring);
 
 }  // namespace fairing::layout

@@ -35,6 +35,10 @@ LoopLength::LoopLength(const boundary::BoundaryLoop& loop, std::size_t first, st
   }
 }
 
+double LoopLength::upTo(const boundary::LoopPlace& place) const {
+  return upTo(place.side) + arcs_[place.side - first_].lengthUpTo(place.t);
+}
+
 boundary::LoopPlace LoopLength::placeAt(double length) const {
   length -= whole() * std::floor(length / whole());
   const auto above = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, length);

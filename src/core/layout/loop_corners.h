@@ -28,6 +28,8 @@ class LoopLength {
   [[nodiscard]] double whole() const { return starts_.back(); }
   /// Up to the start of a side, mm; the one behind the last gives the whole.
   [[nodiscard]] double upTo(std::size_t side) const { return starts_[side - first_]; }
+  /// Up to a place on its sides.
+  [[nodiscard]] double upTo(const boundary::LoopPlace& place) const;
   /// The place where `length` mm are behind; any multiple of the whole may be added.
   [[nodiscard]] boundary::LoopPlace placeAt(double length) const;
 

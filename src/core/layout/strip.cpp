@@ -79,11 +79,8 @@ Result<LayoutPlan> stripPlan(const boundary::ChainPair& pair) {
   LayoutPlan plan{LayoutKind::Strip, std::move(*cut), {}, isWhole};
   plan.mesh = rowOfQuads(n, pair.closed && !isWhole);
   drawRow(plan.cut.loop, pair.closed && !isWhole, plan.mesh);
-  const auto pointAt = [&](const boundary::LoopPlace& place) {
-    return pair.sides.sides[place.side].ribbon.curve(place.t).point;
-  };
   for (const boundary::StripCut& c : *cuts)
-    plan.matches.push_back({pointAt(c.first), pointAt(c.second)});
+    plan.matches.push_back({pointAt(pair.sides, c.first), pointAt(pair.sides, c.second)});
   return plan;
 }
 

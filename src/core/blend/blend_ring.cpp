@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/blend/blend_loops.h"
+#include "core/blend/blend_ring.h"
 
 #include "core/layout/junction.h"
+#include "core/layout/vertex_blend.h"
 #include "core/span/span_plan.h"
 
 namespace fairing {
 
-Result<FillResult> blendLoops(const boundary::BoundaryLoop& loop,
-                              const BlendOptions& options,
-                              Progress* progress) {
+Result<FillResult> blendRing(const boundary::ChainRing& ring,
+                             const BlendOptions& options,
+                             Progress* progress) {
   if (const auto wrong = validate(options)) return fail(*wrong);
   for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
     for (const double reach : {options.reach.at(side, 0.0), options.reach.at(side, 1.0)})
@@ -19,8 +20,12 @@ Result<FillResult> blendLoops(const boundary::BoundaryLoop& loop,
       return fail({.code = ErrorCode::JunctionWish, .detail = "flip"});
   }
   FillOptions fill = options.fill;
-  fill.maxPoles *= 2;  // front and back: two stars, each as large as a hole
-  const auto span = makeSpan(loop, fill.tolerance, layout::junctionPlan);
+  if (!ring.sides.isOpen()) fill.maxPoles *= 2;  // two stars, each as large as a hole
+  const auto planOf = [&](const boundary::BoundaryLoop& target) {
+    if (target.isOpen()) return layout::vertexBlendPlan(target);
+    return layout::junctionPlan({target, ring.cuts});
+  };
+  const auto span = makeSpan(ring.sides, fill.tolerance, planOf);
   if (!span) return fail(span.error());
   return spanPlan(*span, fill, progress);
 }
