@@ -196,6 +196,28 @@ TEST(BlendShape, StartsWhereEdgesOfARimMeet) {
   }
 }
 
+// A rim of two halves, each met in its own way.
+TEST(BlendShape, MeetsEveryEdgeOfARimAsAsked) {
+  const Handle(Geom_Surface) wide = new Geom_CylindricalSurface(upright(), 10.0);
+  const TopoDS_Shape shape =
+      compound({grid(wide, {0.0, 0.5 * kRound, kRound}, {0.0, 20.0}, {}, Joint::Loose),
+                pipe(upright(), 6.0, 35.0, 50.0)});
+  const auto edges = edgesNear(ShapeIndex(shape), {{0, 10, 20}, {0, -10, 20}, {-6, 0, 35}});
+  for (const auto& [one, other] : {std::pair{Continuity::G0, Continuity::G1},
+                                   {Continuity::G0, Continuity::G2},
+                                   {Continuity::G1, Continuity::G2}}) {
+    const ShapeFill blend = blended(shape,
+                                    {.from = {edges[0], edges[1]},
+                                     .to = {edges[2]},
+                                     .edgeContinuity = {{edges[0], one}, {edges[1], other}}});
+    const analysis::FillReport& report = blend.fill.report;
+    EXPECT_TRUE(report.withinTolerance) << int(one) << int(other);
+    EXPECT_LT(report.largestAngle, 0.02);
+    EXPECT_LT(report.largestSeamAngle, 0.02);
+    EXPECT_LT(report.largestGap, 1e-6 * report.diagonal);
+  }
+}
+
 TEST(BlendShape, ReachesAsFarAsAskedAndStaysTangent) {
   const TopoDS_Shape shape = coaxialPipes();
   const ShapeIndex index(shape);

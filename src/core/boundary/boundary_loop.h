@@ -52,6 +52,8 @@ struct Corner {
   /// The two faces beside it meet in an edge, or a chain without faces turns: what spans it may
   /// have a crease from here on (side_chain.h).
   bool crease = false;
+  /// The two ask for different continuity (side_chain.h).
+  bool changes = false;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double angle = 0.0;  ///< between the two sides, degrees in (0, 180)
   /// The angle the hole has here, degrees in (0, 360): beyond 180 at a re-entrant corner. Without a

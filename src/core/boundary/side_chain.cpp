@@ -56,12 +56,13 @@ std::optional<Error> chainTurns(const BoundarySide& before, const Corner& corner
 Corner chainCorner(const BoundarySide& before, const BoundarySide& after) {
   Corner corner = cornerBetween(before, after);
   corner.crease = isCrease(before, after, corner);
+  corner.changes = before.continuity != after.continuity || before.isTangent() != after.isTangent();
   if (corner.crease) corner.twistMismatch = 0.0;  // the sides lie on different patches
   return corner;
 }
 
 bool isCut(const Corner& corner) {
-  return !corner.apart && (corner.crease || !corner.isNearlyStraight());
+  return !corner.apart && (corner.crease || corner.changes || !corner.isNearlyStraight());
 }
 
 SideChain reversed(const SideChain& chain) {

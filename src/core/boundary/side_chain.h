@@ -36,10 +36,12 @@ struct ChainPair {
   [[nodiscard]] std::size_t chainOf(std::size_t side) const { return side < firstCount ? 0 : 1; }
 };
 
-/// The corner of a chain where one side ends and the next one starts, its crease told.
+/// The corner of a chain where one side ends and the next one starts, its crease told, and whether
+/// continuity changes.
 [[nodiscard]] Corner chainCorner(const BoundarySide& before, const BoundarySide& after);
 
-/// Whether a strip needs a seam at a corner of a chain: it turns, or its faces do.
+/// Whether a strip needs a seam at a corner of a chain: it turns, its faces do, or another
+/// continuity is asked for from there on.
 [[nodiscard]] bool isCut(const Corner& corner);
 
 /// Two chains as a strip needs them: the second one is turned round where it would make the strip
