@@ -12,13 +12,13 @@ namespace {
 // Edges that meet at a larger angle (degrees) continue each other: there is no corner to allow for.
 constexpr double kSmoothJoint = 179.5;
 
-// Arc length over the parameter, by trapezoids.
+// Arc length over the parameter, by trapezoids; of a closed curve from any place on.
 class ArcLength {
  public:
-  explicit ArcLength(const boundary::Ribbon& ribbon) {
-    double speed = ribbon.curve(0.0).derivative.norm();
+  ArcLength(const boundary::Ribbon& ribbon, double start) : start_(start) {
+    double speed = ribbon.curve(start).derivative.norm();
     for (int k = 1; k <= kSteps; ++k) {
-      const double next = ribbon.curve(static_cast<double>(k) / kSteps).derivative.norm();
+      const double next = ribbon.curve(wrapped(static_cast<double>(k) / kSteps)).derivative.norm();
       lengths_.push_back(lengths_.back() + 0.5 * (speed + next) / kSteps);
       speed = next;
     }
@@ -30,11 +30,16 @@ class ArcLength {
     const auto k = static_cast<std::size_t>(above - lengths_.begin());
     const double step = lengths_[k] - lengths_[k - 1];
     const double within = step > 0.0 ? (length - lengths_[k - 1]) / step : 0.5;
-    return (static_cast<double>(k - 1) + within) / kSteps;
+    return wrapped((static_cast<double>(k - 1) + within) / kSteps);
   }
 
  private:
+  [[nodiscard]] double wrapped(double step) const {
+    const double t = start_ + step;
+    return t > 1.0 ? t - 1.0 : t;
+  }
   static constexpr int kSteps = 64;
+  double start_;
   std::vector<double> lengths_{0.0};
 };
 
@@ -65,9 +70,10 @@ std::vector<ProbePoint> probeSide(const boundary::Ribbon& ribbon,
                                   const boundary::Ribbon& target,
                                   bool startsInCorner,
                                   bool endsInCorner,
-                                  int inside,
-                                  int corner) {
-  const ArcLength length(ribbon);
+                                  double start,
+                                  const Places& places) {
+  const auto& [inside, corner] = places;
+  const ArcLength length(ribbon, start);
   std::vector<ProbePoint> points{probe(ribbon, target, 0.0, true)};
   const auto add = [&](double share, bool inCorner) {
     points.push_back(probe(ribbon, target, length.parameterAt(share), inCorner));
@@ -78,6 +84,7 @@ std::vector<ProbePoint> probeSide(const boundary::Ribbon& ribbon,
   for (int k = 0; k < corner; ++k)
     add(1.0 - kCornerZone * (corner - k - 0.5) / corner, endsInCorner);
   points.push_back(probe(ribbon, target, 1.0, true));
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
   return points;
 }
 
@@ -85,8 +92,8 @@ std::vector<ProbePoint> probeSide(const boundary::Ribbon& ribbon,
 
 LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
                     const boundary::BoundaryLoop& target,
-                    int inside,
-                    int corner) {
+                    const std::vector<double>& starts,
+                    const Places& places) {
   LoopProbe probe;
   const auto isCorner = [&](std::size_t k) { return loop.corners[k].angle < kSmoothJoint; };
   for (std::size_t k = 0; k < loop.sides.size(); ++k)
@@ -94,8 +101,8 @@ LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
                                     target.sides[k].ribbon,
                                     isCorner(loop.previous(k)),
                                     isCorner(k),
-                                    inside,
-                                    corner));
+                                    starts.empty() ? 0.0 : starts[k],
+                                    places));
   return probe;
 }
 

@@ -29,15 +29,21 @@ struct LoopProbe {
   std::vector<std::vector<ProbePoint>> sides;
 };
 
-/// Places evenly spread over the arc length, `inside` between the corner zones and `corner` in
-/// either of them, ascending, and the two ends, which count for the gap alone: a corner belongs to
-/// two sides and has the normal of neither.
+/// How many places a side is measured at.
+struct Places {
+  int inside = 81;  ///< between the corner zones
+  int corner = 8;   ///< in either of them
+};
+
+/// Places evenly spread over the arc length, ascending, and the two ends, which count for the gap
+/// alone: a corner belongs to two sides and has the normal of neither.
 /// `target` is the loop that patches are made for, of which the floor is taken
-/// (boundary/follow_support.h).
+/// (boundary/follow_support.h). `starts`: the parameters from which the sides are divided, 0 but of
+/// closed ones, whose own start means nothing; empty = 0 for all.
 [[nodiscard]] LoopProbe probeLoop(const boundary::BoundaryLoop& loop,
                                   const boundary::BoundaryLoop& target,
-                                  int inside = 81,
-                                  int corner = 8);
+                                  const std::vector<double>& starts = {},
+                                  const Places& places = {});
 [[nodiscard]] inline LoopProbe probeLoop(const boundary::BoundaryLoop& loop) {
   return probeLoop(loop, loop);
 }

@@ -16,7 +16,8 @@
 // P      tangential part of the displacement, over the surface: the energy does not see the
 //        parametrisation, which would drift
 // M      the whole displacement, over the parameters
-// m      Levenberg-Marquardt weight, raised until the true energy falls [NocedalWright2006] 10.3
+// m      Levenberg-Marquardt weight, raised until the true energy falls [NocedalWright2006] 10.3,
+//        and lowered after a step: the next one starts with what is left of it
 
 namespace fairing {
 namespace {
@@ -33,13 +34,13 @@ constexpr double kFitShare = 1e-3;  // of the diagonal: how closely the sides ar
 constexpr int kMostPolesAlong = 14;
 constexpr int kSteps = 2;
 // A strip's start is farther from its end: nothing holds its middle.
-constexpr int kStepsOfBlends = 8;
+constexpr int kStepsOfStrips = 8, kStepsOfJunctions = 16;
 constexpr double kWorthAStep = 1e-3;  // of the energy
 // As an integral; 1e4 lets the parametrisation drift: one round more on stars, and waves farther
 // off.
 constexpr double kPinning = 1e5;
-constexpr int kTrials = 4;
-constexpr double kFirstDamping = 1e2, kDampingFactor = 30.0;
+constexpr int kTrials = 12;
+constexpr double kFirstDamping = 1e2, kDampingFactor = 3.0, kRelief = 0.1;
 
 std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind) {
   switch (kind) {
@@ -50,6 +51,11 @@ std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind) {
       break;
   }
   return nullptr;
+}
+
+int mostSteps(LayoutKind kind) {
+  if (kind == LayoutKind::Strip) return kStepsOfStrips;
+  return kind == LayoutKind::Junction ? kStepsOfJunctions : kSteps;
 }
 
 struct Model {
@@ -98,23 +104,23 @@ class Descent {
   bool step(solver::Points& points, double& value) {
     const Model model =
         projected(modelOf(layout_, makePatches(layout_, points), energy_, size_), freedom_);
-    double weight = 0.0;
     for (int trial = 0; trial < kTrials; ++trial) {
       MatrixXd matrix = model.hessian;
-      if (weight > 0.0) matrix += weight / (size_ * size_) * displacement();
-      const Eigen::LLT<MatrixXd> factor(matrix);
-      if (factor.info() == Eigen::Success) {
-        const VectorXd moved = freedom_ * factor.solve(-model.gradient);
+      if (damping_ > 0.0) matrix += damping_ / (size_ * size_) * displacement();
+      const Eigen::LLT<MatrixXd> factors(matrix);
+      if (factors.info() == Eigen::Success) {
+        const VectorXd moved = freedom_ * factors.solve(-model.gradient);
         const solver::Points next =
             points + Eigen::Map<const solver::Points>(moved.data(), points.rows(), 3);
         const double reached = energyAt(next);
         if (reached < value) {
           points = next;
           value = reached;
+          damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
           return true;
         }
       }
-      weight = weight == 0.0 ? kFirstDamping : kDampingFactor * weight;
+      damping_ = damping_ == 0.0 ? kFirstDamping : kDampingFactor * damping_;
     }
     return false;
   }
@@ -134,6 +140,7 @@ class Descent {
   solver::Sparse freedom_;
   std::optional<solver::Sparse> displacement_;
   double size_;
+  double damping_ = 0.0;
 };
 
 }  // namespace
@@ -156,9 +163,7 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
   shape.energyBefore = shape.energy =
       assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
   std::optional<Descent> descent;  // lasts as long as its program
-  const bool isBlend = layout.kind == LayoutKind::Strip || layout.kind == LayoutKind::Junction;
-  const int steps = isBlend ? kStepsOfBlends : kSteps;
-  while (shape.steps < steps) {
+  while (shape.steps < mostSteps(layout.kind)) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     if (isIterated(plan.cut.loop, options)) {  // the nearest points that meet all that is asked
       program = makeProgram(plan,

@@ -28,6 +28,20 @@ constexpr int kNewtonSteps = 3;
 // solver's.
 constexpr double kFollowAim = 0.65;
 
+// Where the first patch on a closed edge starts: what is measured must not depend on the start of
+// the edge.
+std::vector<double> startsOf(const layout::LayoutPlan& plan, const boundary::BoundaryLoop& loop) {
+  std::vector<double> starts(loop.sides.size(), 0.0);
+  std::vector<char> known(loop.sides.size(), 0);
+  for (const auto& stretches : plan.cut.stretches) {
+    const boundary::Stretch& first = stretches.front();
+    if (loop.next(first.edge) != first.edge || known[first.edge]) continue;
+    starts[first.edge] = first.from;
+    known[first.edge] = 1;
+  }
+  return starts;
+}
+
 FillResult measured(const Span& span,
                     const layout::PatchLayout& layout,
                     const solver::Solution& solution,
@@ -85,7 +99,7 @@ Result<Span> makeSpan(const boundary::BoundaryLoop& loop,
                                kFollowAim * std::max(tolerance.angle, tolerance.cornerAngle));
   auto plan = planOf(target);
   if (!plan) return fail(plan.error());
-  analysis::LoopProbe probe = analysis::probeLoop(loop, target);
+  analysis::LoopProbe probe = analysis::probeLoop(loop, target, startsOf(*plan, loop));
   return Span{loop, std::move(target), std::move(probe), std::move(*plan)};
 }
 

@@ -30,7 +30,7 @@ boundary::BoundaryLoop hurryingLoop() {
 }
 
 TEST(LoopProbe, PlacesAreSpreadEvenlyOverTheArcLength) {
-  const auto points = probeLoop(hurryingLoop(), hurryingLoop(), 50, 0).sides[0];
+  const auto points = probeLoop(hurryingLoop(), hurryingLoop(), {}, {50, 0}).sides[0];
   // Without corner points: the two ends and the middles of 50 equal pieces of the inner 96 %.
   ASSERT_EQ(points.size(), 52U);
   for (std::size_t k = 1; k + 1 < points.size(); ++k)
