@@ -17,6 +17,7 @@ namespace {
 struct Base {
   const ShapeIndex& index;
   UserNumbers users = {};
+  std::vector<analysis::Note> notes = {};  ///< on how it was made
 };
 
 /// `sides` in the base's own numbers.
@@ -43,14 +44,16 @@ Result<ShapeBlend> strip(const Base& base,
   named.sides = inNumbersOf(std::move(named.sides), base.users);
   auto blend = blendChains(named, options, progress);
   if (!blend) return fail(blend.error());
+  auto& notes = blend->fill.report.notes;
+  notes.insert(notes.end(), base.notes.begin(), base.notes.end());
   for (const analysis::Note& note : blendNotes(base.index, pair, blend->fill.patches))
-    blend->fill.report.notes.push_back(inNumbersOf(note, base.users));
+    notes.push_back(inNumbersOf(note, base.users));
   return joined(base, pair.sides, std::move(*blend), mode);
 }
 
 /// What is wished of two chains alone, if anything.
 const char* wishOfPair(const BlendPicks& picks) {
-  if (picks.setback != std::array<double, 2>{}) return "setback";
+  if (picks.isSetBack()) return "setback";
   if (!picks.pairs.empty()) return "pairs of vertices";
   if (picks.alignment != 0.0) return "alignment";
   if (picks.match != boundary::MatchKind::Auto) return "matching";
@@ -83,14 +86,13 @@ Result<ShapeBlend> blendShape(const ShapeIndex& index,
     return junction({index}, *ring, options, mode, progress);
   }
   const auto& pair = std::get<boundary::ChainPair>(*sides);
-  const bool isSetBack = picks.setback != std::array<double, 2>{};
-  if (!isSetBack) return strip({index}, pair, options, mode, progress);
+  if (!picks.isSetBack()) return strip({index}, pair, options, mode, progress);
   if (!picks.pairs.empty()) return fail({.code = ErrorCode::SetbackPairs});
   const auto trimmed = trimBack(index, picks, pair);
   if (!trimmed) return fail(trimmed.error());
   const auto inner = readChains(trimmed->index, trimmed->picks);
-  if (!inner) return fail(inner.error());
-  return strip({trimmed->index, trimmed->users}, *inner, options, mode, progress);
+  if (!inner) return fail(inNumbersOf(inner.error(), trimmed->users));
+  return strip({trimmed->index, trimmed->users, trimmed->notes}, *inner, options, mode, progress);
 }
 
 Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {

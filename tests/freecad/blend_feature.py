@@ -252,6 +252,48 @@ def takes_edges_of_several_objects_on_a_side():
     assert blend.ToEdges == [(west, tuple(left[1]))] and blend.Shape.Area < before - 1.0
 
 
+def starts_at_a_sketch_on_the_face():
+    document, base, names = two_planes()
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    sketch.Placement.Base = App.Vector(0, 0, 0.1)  # a little above the lower plane
+    for ends in (((9, 6, 0), (-1, 6, 0)), ((9, 6, 0), (21, 6, 0))):
+        sketch.addGeometry(Part.LineSegment(*(App.Vector(*end) for end in ends)), False)
+    document.recompute()
+    low, high = (base, names[:1]), (base, names[1:])
+    blend = fairing.make_blend(low, high, from_curve=(sketch, ["Edge1", "Edge2"]))
+    assert blend.FromCurve == [(sketch, ("Edge1", "Edge2"))] and blend.ToCurve == []
+    assert abs(blend.Shape.BoundBox.YMin - 6.0) < 1e-5 and blend.WithinTolerance
+    assert set(blend.ReportEdges) == {*names} and "laid onto face" in blend.Notes[0], (blend.ReportEdges, blend.Notes)
+    sketch.Placement.Base.y = 1.0  # drawn anew: the blend follows
+    document.recompute()
+    assert abs(blend.Shape.BoundBox.YMin - 7.0) < 1e-5
+    fairing.change_blend(blend, from_curve=sketch, result="base")  # the whole sketch
+    assert [(obj, names) for obj, names in blend.FromCurve] == [(sketch, ("",))] or blend.FromCurve == [(sketch, [])]
+    level = [face for face in blend.Shape.Faces if face.CenterOfMass.z < 1e-6]
+    assert abs(sum(face.Area for face in level) - 20.0 * 7.0) < 1e-4
+    error = raises(ValueError, lambda: fairing.change_blend(blend, from_setback=1.0))
+    assert "by a distance and by a curve" in str(error) and blend.FromSetback.Value == 0.0
+    fairing.change_blend(blend, from_curve=[], result="patches")
+    joins(blend, low, high)
+    error = raises(ValueError, lambda: fairing.change_blend(blend, from_curve=(sketch, ["Edge9"])))
+    assert "Sketch has 2" in str(error), error
+    assert "is not an edge" in str(raises(ValueError, lambda: fairing.change_blend(blend, to_curve=(sketch, ["Face1"]))))
+    joins(blend, low, high)
+
+
+def starts_at_an_edge_of_what_it_joins():
+    document = App.newDocument("Steps")
+    base = object_of(document, "Base", Part.Compound([
+        Part.makeShell([Part.makePlane(20, 6), Part.makePlane(20, 4, App.Vector(0, 6, 0))]),
+        Part.makePlane(20, 10, App.Vector(0, 20, 8))]))
+    document.recompute()
+    low, middle, high = (next(f"Edge{number}" for number, edge in enumerate(base.Shape.Edges, 1)
+                              if edge.CenterOfMass.distanceToPoint(App.Vector(*point)) < 1e-6)
+                         for point in ((10, 10, 0), (10, 6, 0), (10, 20, 8)))
+    blend = fairing.make_blend((base, [low]), (base, [high]), from_curve=(base, [middle]))
+    assert abs(blend.Shape.BoundBox.YMin - 6.0) < 1e-5 and blend.WithinTolerance
+
+
 def survives_save_and_reopen():
     document, low, high = two_cups()
     blend = fairing.make_blend(low, high, degree=6, from_continuity={low[1][0]: "G2"})
