@@ -57,8 +57,8 @@ class BlendRequest:
     def arguments(self) -> dict[str, Any]:
         """Keyword arguments of the native Shape.blend()."""
         given = dataclasses.asdict(self)
-        given.update({name: list(given[name]) for name in ("from_edges", "to_edges", "pairs", "from_curve", "to_curve")},
-                     edge_continuity=dict(self.edge_continuity))
+        lists = ("from_edges", "to_edges", "from_curve", "to_curve", "pairs")
+        given.update({name: list(given[name]) for name in lists}, edge_continuity=dict(self.edge_continuity))
         return {NATIVE_NAMES.get(name, name): value for name, value in given.items()}
 
     def solve(self, brep: bytes, progress=None):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is rarely chosen about a blend, folded away in the panel: reach that changes along a side, direction, setback
-by a distance and to a curve, and which points belong together, shown in the view; kept by the object and written into macros."""
+by a distance and to a curve, and which points belong together, shown in the view; kept by the object and written into
+macros."""
 
 import FreeCAD as App
 import FreeCADGui as Gui

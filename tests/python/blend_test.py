@@ -249,7 +249,9 @@ def test_starts_at_a_drawn_curve(planes):
     assert len(whole.Faces) == 3 and abs(sum(face.Area for face in whole.Faces if face.CenterOfMass.z < 1e-6)
                                          - 20.0 * 7.0) < 1e-4
     refused("SetbackTwice", lambda: fairing.blend(drawn, [low], [high], from_curve=[number], from_setback=1.0))
-    refused("SetbackPairs", lambda: fairing.blend(drawn, [low], [high], from_curve=[number], pairs=[(1, 5)]))
+    corners = [next(k for k, vertex in enumerate(drawn.Vertexes, 1) if vertex.Point.isEqual(App.Vector(*point), 1e-6))
+               for point in ((0, 10, 0), (0, 20, 8))]
+    refused("SetbackPairs", lambda: fairing.blend(drawn, [low], [high], from_curve=[number], pairs=[corners]))
     refused("EdgeOutOfRange", lambda: fairing.blend(drawn, [low], [high], to_curve=[99]))
     far = refused("SetbackCurveOff", lambda: fairing.blend(drawn, [low], [high], to_curve=[number]))
     assert far.edge == number and far.value > 7.9

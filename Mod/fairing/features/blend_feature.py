@@ -67,8 +67,8 @@ def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
                  from_continuity: Optional[Mapping[Any, str]] = None,
                  to_continuity: Optional[Mapping[Any, str]] = None, pairs=None, from_curve=None, to_curve=None,
                  **changes) -> App.DocumentObject:
-    """Changes some choices of a blend (those of make_blend) and computes it again; the others stay as they are, and [] is
-    no curve.
+    """Changes some choices of a blend (those of make_blend) and computes it again; the others stay as they are. With []
+    a side has no curve any more.
 
     A side that moves to other edges forgets which of its edges differed in continuity, and the pairs. Raises FairingError with one
     sentence, and then the object is as it was.

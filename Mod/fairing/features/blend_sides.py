@@ -72,7 +72,8 @@ class BlendSides:
     """Both sides, and the shape that holds the objects of both and the curves they are set back to, in a container's
     coordinates."""
 
-    def __init__(self, from_side: Side, to_side: Side, container, pairs: Iterable[Pair] = (), curves: Curves = NO_CURVES):
+    def __init__(self, from_side: Side, to_side: Side, container, pairs: Iterable[Pair] = (),
+                 curves: Curves = NO_CURVES):
         self.from_side, self.to_side, self.pairs, self.curves = from_side, to_side, tuple(pairs), curves
         self._curve_edges = [edges_of(curve) for curve in curves]
         self.joined = JoinedShapes(from_side.objects + to_side.objects, container, sum(self._curve_edges, []))
