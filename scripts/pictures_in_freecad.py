@@ -174,18 +174,20 @@ def picture(name: str, base: Part.Shape, filled: Part.Shape, report: dict, turn:
 
 def pipe_with_wave() -> tuple:
     """A wide pipe with a wavy ring drawn on it, and a narrow tilted one above; the wide one's upper rim, the other's
-    lower one, and the ring."""
+    lower one, and the ring; and the ring a little wider, to be seen."""
     def height(angle):
         return 24.0 + 5.0 * math.sin(3.0 * angle + 0.9)
 
     wide, narrow = Part.makeCircle(24).extrude(App.Vector(0, 0, 42)), Part.makeCircle(13).extrude(App.Vector(0, 0, 22))
     narrow.Placement = App.Placement(App.Vector(6, 0, 66), App.Rotation(App.Vector(0, 1, 0), 14))
-    ring = Part.BSplineCurve()
-    angles = [2.0 * math.pi * k / 60 for k in range(60)]
-    ring.interpolate([App.Vector(24 * math.cos(a), 24 * math.sin(a), height(a)) for a in angles], PeriodicFlag=True)
+    angles = [2.0 * math.pi * k / 18 for k in range(18)]
+    ring, above = Part.BSplineCurve(), Part.BSplineCurve()
+    for curve, radius in ((ring, 24.0), (above, 24.3)):
+        curve.interpolate([App.Vector(radius * math.cos(a), radius * math.sin(a), height(a)) for a in angles],
+                          PeriodicFlag=True)
     shape = Part.makeCompound([wide, narrow, ring.toShape()])
     rim = narrow.Placement.multVec(App.Vector(-13, 0, 0))
-    return shape, rims(shape, [App.Vector(-24, 0, 42), rim, App.Vector(-24, 0, height(math.pi))]), ring.toShape()
+    return shape, rims(shape, [App.Vector(-24, 0, 42), rim, App.Vector(-24, 0, height(math.pi))]), above.toShape()
 
 
 def setback_picture(name: str):
@@ -199,14 +201,17 @@ def setback_picture(name: str):
         show(document, "Face", face, COLORS[0] if is_blend else GREY, 1.5)
         if is_blend:
             show(document, "Isolines", isolines(face), GREY, 1.0)
-    for face in shape.Faces:
-        show(document, "Before", face, GREY, 1.0).ViewObject.Transparency = 82
+    for face in shape.Faces:  # a little wider, so that it stands clear of what is left
+        wider = face.makeOffsetShape(-0.2, 1e-3)
+        show(document, "Before", wider, GREY, 1.0).ViewObject.Transparency = 82
     show(document, "Drawn", ring, GREY, 5.0).ViewObject.LineColor = (0.80, 0.22, 0.18)
     view = Gui.ActiveDocument.ActiveView
     view.setAnimationEnabled(False)
     view.setCameraType("Orthographic")
     look(view, turn=20, tilt=70)
     Gui.SendMsgToActiveView("ViewFit")
+    height = view.getCameraNode().height
+    height.setValue(0.96 * height.getValue())
     gui.pump(0.3)
     view.saveImage(os.path.join(OUTPUT, name + ".png"), *SIZE, "White")
     App.closeDocument(document.Name)
