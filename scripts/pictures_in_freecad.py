@@ -172,6 +172,51 @@ def picture(name: str, base: Part.Shape, filled: Part.Shape, report: dict, turn:
     App.closeDocument(document.Name)
 
 
+def pipe_with_wave() -> tuple:
+    """A wide pipe with a wavy ring drawn on it, and a narrow tilted one above; the wide one's upper rim, the other's
+    lower one, and the ring; and the ring a little wider, to be seen."""
+    def height(angle):
+        return 24.0 + 5.0 * math.sin(3.0 * angle + 0.9)
+
+    wide, narrow = Part.makeCircle(24).extrude(App.Vector(0, 0, 42)), Part.makeCircle(13).extrude(App.Vector(0, 0, 22))
+    narrow.Placement = App.Placement(App.Vector(6, 0, 66), App.Rotation(App.Vector(0, 1, 0), 14))
+    angles = [2.0 * math.pi * k / 18 for k in range(18)]
+    ring, above = Part.BSplineCurve(), Part.BSplineCurve()
+    for curve, radius in ((ring, 24.0), (above, 24.3)):
+        curve.interpolate([App.Vector(radius * math.cos(a), radius * math.sin(a), height(a)) for a in angles],
+                          PeriodicFlag=True)
+    shape = Part.makeCompound([wide, narrow, ring.toShape()])
+    rim = narrow.Placement.multVec(App.Vector(-13, 0, 0))
+    return shape, rims(shape, [App.Vector(-24, 0, 42), rim, App.Vector(-24, 0, height(math.pi))]), above.toShape()
+
+
+def setback_picture(name: str):
+    """A blend from a drawn curve: what is cut off shows through."""
+    shape, (low, high, drawn), ring = pipe_with_wave()
+    whole, report = fairing.blend(shape, [low], [high], from_curve=[drawn], to_setback=5.0, result="base")
+    print(f"{name}: {len(whole.Faces)} faces, within tolerance: {report['within_tolerance']}")
+    document = App.newDocument(name)
+    for face in whole.Faces:
+        is_blend = isinstance(face.Surface, Part.BSplineSurface)
+        show(document, "Face", face, COLORS[0] if is_blend else GREY, 1.5)
+        if is_blend:
+            show(document, "Isolines", isolines(face), GREY, 1.0)
+    for face in shape.Faces:  # a little wider, so that it stands clear of what is left
+        wider = face.makeOffsetShape(-0.2, 1e-3)
+        show(document, "Before", wider, GREY, 1.0).ViewObject.Transparency = 82
+    show(document, "Drawn", ring, GREY, 5.0).ViewObject.LineColor = (0.80, 0.22, 0.18)
+    view = Gui.ActiveDocument.ActiveView
+    view.setAnimationEnabled(False)
+    view.setCameraType("Orthographic")
+    look(view, turn=20, tilt=70)
+    Gui.SendMsgToActiveView("ViewFit")
+    height = view.getCameraNode().height
+    height.setValue(0.96 * height.getValue())
+    gui.pump(0.3)
+    view.saveImage(os.path.join(OUTPUT, name + ".png"), *SIZE, "White")
+    App.closeDocument(document.Name)
+
+
 def tilted_pipes(document) -> list:
     """Two pipes as objects of their own, the upper one wider, beside the other's axis and tilted; and their rims."""
     tilted = App.Placement(App.Vector(10, 4, 62), App.Rotation(App.Vector(0, 1, 0), 25))
@@ -215,6 +260,7 @@ def main():
     blend_picture("junction", *three_pipes(), turn=25, tilt=40, margin=1.25)
     frames, (low, high) = two_frames()
     picture("strip_blend", frames, *fairing.blend(frames, low, high), turn=25, tilt=62, margin=1.3)
+    setback_picture("strip_setback")
     blend_panel()
     fill_picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
 

@@ -146,6 +146,8 @@ class Shape:
         to_flip: bool = False,
         from_setback: float = 0.0,
         to_setback: float = 0.0,
+        from_curve: Sequence[int] = [],
+        to_curve: Sequence[int] = [],
         match: str = "auto",
         alignment: float = 0.0,
         pairs: Sequence[tuple[int, int]] = [],

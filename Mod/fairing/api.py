@@ -67,9 +67,10 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
     pairs            vertices of both sides that belong together, [("Vertex3", "Vertex7")]
     options          of either side, with from_ or to_ in front: reach (above 0: how far the strip goes on before it
                      turns away, 1 = what the energy likes best), reach_end (where it differs at the end of an open
-                     side), departure ("free", "perpendicular" or "iso"), flip, setback (mm); match ("auto", "length" or
-                     "corners"), alignment (-0.5 to 0.5), energy, gap_tolerance (mm), angle_tolerance (degrees), degree,
-                     max_poles, result ("patches", "shell" or "base"): see blend_request.BlendRequest
+                     side), departure ("free", "perpendicular" or "iso"), flip, setback (mm), curve (edges that make a
+                     curve on its faces: set back to there); match ("auto", "length" or "corners"), alignment (-0.5 to
+                     0.5), energy, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles, result ("patches",
+                     "shell" or "base"): see blend_request.BlendRequest
     Raises FairingError with one sentence where that cannot be done.
     """
     request = BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, continuity=continuity, **options)

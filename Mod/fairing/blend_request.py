@@ -30,6 +30,8 @@ class BlendRequest:
     to_flip: bool = False
     from_setback: float = 0.0  # mm, how far inside the faces the strip starts
     to_setback: float = 0.0
+    from_curve: tuple[int, ...] = ()  # edges of the curve in the faces where the strip starts instead
+    to_curve: tuple[int, ...] = ()
     match: str = MATCHES[0]  # which points of the sides belong together
     alignment: float = 0.0  # -0.5 to 0.5, turns closed sides against each other
     pairs: tuple[tuple[int, int], ...] = ()  # vertices of both sides that belong together
@@ -43,18 +45,20 @@ class BlendRequest:
     @staticmethod
     def of(from_edges: Iterable[subelements.Pick], to_edges: Iterable[subelements.Pick],
            edge_continuity: Optional[Mapping[Any, str]] = None, pairs: Iterable[Any] = (),
+           from_curve: Iterable[subelements.Pick] = (), to_curve: Iterable[subelements.Pick] = (),
            **options) -> "BlendRequest":
         """From names such as "Edge7" (or edge numbers), pairs such as ("Vertex3", "Vertex7"), and the other members by
         name. Raises ValueError with a name that is no edge's, or no vertex's."""
         return BlendRequest(from_edges=subelements.only_edges(from_edges), to_edges=subelements.only_edges(to_edges),
-                            edge_continuity=by_edge(edge_continuity),
+                            from_curve=subelements.only_edges(from_curve),
+                            to_curve=subelements.only_edges(to_curve), edge_continuity=by_edge(edge_continuity),
                             pairs=tuple(map(subelements.vertex_pair, pairs)), **options)
 
     def arguments(self) -> dict[str, Any]:
         """Keyword arguments of the native Shape.blend()."""
         given = dataclasses.asdict(self)
-        given.update(from_edges=list(self.from_edges), to_edges=list(self.to_edges), pairs=list(self.pairs),
-                     edge_continuity=dict(self.edge_continuity))
+        lists = ("from_edges", "to_edges", "from_curve", "to_curve", "pairs")
+        given.update({name: list(given[name]) for name in lists}, edge_continuity=dict(self.edge_continuity))
         return {NATIVE_NAMES.get(name, name): value for name, value in given.items()}
 
     def solve(self, brep: bytes, progress=None):

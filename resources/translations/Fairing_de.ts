@@ -395,6 +395,18 @@
    <translation>Ecke zu Ecke</translation>
   </message>
   <message>
+   <source>A curve drawn on the faces of this side, or a little off them, that the surface starts at in place of a distance: pick its edges, or a sketch in the tree; in a sewn result the faces are trimmed back to it</source>
+   <translation>Eine Kurve auf den Flächen dieser Seite oder etwas daneben, an der die Fläche beginnt statt in einem Abstand: ihre Kanten anklicken, oder eine Skizze im Baum; in einem vernähten Ergebnis werden die Flächen bis dorthin beschnitten</translation>
+  </message>
+  <message>
+   <source>A curve drawn on the faces of this side, or a little off them, that the surface ends at in place of a distance: pick its edges, or a sketch in the tree; in a sewn result the faces are trimmed back to it</source>
+   <translation>Eine Kurve auf den Flächen dieser Seite oder etwas daneben, an der die Fläche endet statt in einem Abstand: ihre Kanten anklicken, oder eine Skizze im Baum; in einem vernähten Ergebnis werden die Flächen bis dorthin beschnitten</translation>
+  </message>
+  <message>
+   <source>Take the curve away</source>
+   <translation>Die Kurve wegnehmen</translation>
+  </message>
+  <message>
    <source>Pair two vertices</source>
    <translation>Zwei Punkte zuordnen</translation>
   </message>
@@ -992,6 +1004,22 @@
   <message>
    <source>Pick the vertex it belongs to</source>
    <translation>Den zugehörigen Punkt anklicken</translation>
+  </message>
+  <message>
+   <source>Pick an edge of the curve, or a sketch.</source>
+   <translation>Eine Kante der Kurve anklicken, oder eine Skizze.</translation>
+  </message>
+  <message>
+   <source>Pick an edge</source>
+   <translation>Kante anklicken</translation>
+  </message>
+  <message>
+   <source>To a curve</source>
+   <translation>Bis zu einer Kurve</translation>
+  </message>
+  <message>
+   <source>{} edges</source>
+   <translation>{} Kanten</translation>
   </message>
   <message>
    <source>Pair two vertices</source>

@@ -73,6 +73,7 @@ struct BlendArguments {
   std::vector<double> reachFrom{1.0}, reachTo{1.0};  ///< at the start, at the end
   std::string departureFrom = "free", departureTo = "free";
   double setbackFrom = 0.0, setbackTo = 0.0;
+  std::vector<std::string> fromCurve, toCurve;
   bool flipFrom = false, flipTo = false;
 
   void addTo(CLI::App& command);

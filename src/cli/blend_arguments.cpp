@@ -64,6 +64,12 @@ void BlendArguments::addTo(CLI::App& command) {
       "mm: start inside the faces of the first side, at this distance from its edges; "
       "the faces are trimmed back to there");
   command.add_option("--setback-to", setbackTo, "the same on the other side");
+  addList(command,
+          "--from-curve",
+          fromCurve,
+          "edges drawn on the faces of the first side, or a little off them, that make one curve: "
+          "start there, the faces trimmed back to it");
+  addList(command, "--to-curve", toCurve, "the same on the other side");
   command.add_option("--match",
                      match,
                      "which points of the sides belong together: auto, length or corners (default "
@@ -87,6 +93,11 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
   if (!common) return fail(unknown("--continuity", continuity));
   picks.continuity = *common;
   picks.setback = {setbackFrom, setbackTo};
+  const auto firstCurve = parseNumbers(fromCurve, "--from-curve", "Edge");
+  if (!firstCurve) return fail(firstCurve.error());
+  const auto secondCurve = parseNumbers(toCurve, "--to-curve", "Edge");
+  if (!secondCurve) return fail(secondCurve.error());
+  picks.setbackCurve = {*firstCurve, *secondCurve};
   const auto matching = text::matchFrom(match);
   if (!matching) return fail(unknown("--match", match));
   picks.match = *matching;

@@ -17,6 +17,7 @@ namespace {
 struct Base {
   const ShapeIndex& index;
   UserNumbers users = {};
+  std::vector<analysis::Note> notes = {};  ///< on how it was made
 };
 
 /// `sides` in the base's own numbers.
@@ -25,8 +26,10 @@ Result<ShapeBlend> joined(const Base& base,
                           Blend blend,
                           ResultMode mode) {
   FillResult& fill = blend.fill;
+  auto& notes = fill.report.notes;
+  notes.insert(notes.end(), base.notes.begin(), base.notes.end());
   for (const analysis::Note& note : blendNotes(base.index, sides, fill.patches))
-    fill.report.notes.push_back(inNumbersOf(note, base.users));
+    notes.push_back(inNumbersOf(note, base.users));
   boundary::BoundaryLoop named = inNumbersOf(sides, base.users);
   addSingularSupports(named, fill.report);
   const auto faces = makeFaces(fill);
@@ -50,7 +53,7 @@ Result<ShapeBlend> strip(const Base& base,
 
 /// What is wished of two chains alone, if anything.
 const char* wishOfPair(const BlendPicks& picks) {
-  if (picks.setback != std::array<double, 2>{}) return "setback";
+  if (picks.isSetBack()) return "setback";
   if (!picks.pairs.empty()) return "pairs of vertices";
   if (picks.alignment != 0.0) return "alignment";
   if (picks.match != boundary::MatchKind::Auto) return "matching";
@@ -84,14 +87,13 @@ Result<ShapeBlend> blendShape(const ShapeIndex& index,
   }
   const auto& pair = std::get<boundary::ChainPair>(*sides);
   if (!picks.cuts.empty()) return fail({.code = ErrorCode::CutUnfit, .edge = picks.cuts.front()});
-  const bool isSetBack = picks.setback != std::array<double, 2>{};
-  if (!isSetBack) return strip({index}, pair, options, mode, progress);
+  if (!picks.isSetBack()) return strip({index}, pair, options, mode, progress);
   if (!picks.pairs.empty()) return fail({.code = ErrorCode::SetbackPairs});
   const auto trimmed = trimBack(index, picks, pair);
   if (!trimmed) return fail(trimmed.error());
   const auto inner = readChains(trimmed->index, trimmed->picks);
-  if (!inner) return fail(inner.error());
-  return strip({trimmed->index, trimmed->users}, *inner, options, mode, progress);
+  if (!inner) return fail(inNumbersOf(inner.error(), trimmed->users));
+  return strip({trimmed->index, trimmed->users, trimmed->notes}, *inner, options, mode, progress);
 }
 
 Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {

@@ -34,30 +34,33 @@ Error degenerate(int number, const TopoDS_Edge& edge, double length) {
 /// Sorts the uses of an edge into those that stay and the one that goes; an error where no hole can
 /// run along it.
 Result<Candidate> candidate(const ShapeIndex& index, int number, const std::set<int>& pickedFaces) {
-  const TopoDS_Edge& edge = index.edge(number);
-  if (BRep_Tool::Degenerated(edge)) return fail(degenerate(number, edge, 0.0));
-  Candidate c{.edge = number};
-  int removals = 0;
-  for (const EdgeUse& use : index.uses(number)) {
-    if (pickedFaces.contains(use.face)) {
-      c.removed = use;
-      ++removals;
-    } else {
-      c.staying.push_back(use);
-    }
-  }
+  if (BRep_Tool::Degenerated(index.edge(number)))
+    return fail(degenerate(number, index.edge(number), 0.0));
+  std::vector<EdgeUse> staying, removed;
+  for (const EdgeUse& use : index.uses(number))
+    (pickedFaces.contains(use.face) ? removed : staying).push_back(use);
   const std::size_t faces = index.uses(number).size();
-  if (c.staying.size() > 1 || removals > 1) return fail(notFree(number, faces));
-  if (!EdgeCurve(edge, Direction::Forward).isFinite()) {
-    return fail({.code = ErrorCode::EdgeInfinite, .edge = number});
-  }
-  measure(edge, c);
-  if (!(c.length > 1e-3 * Precision::Confusion())) return fail(degenerate(number, edge, c.length));
-  c.walkable = pickedFaces.empty() ? faces <= 1 : removals == 1;
+  if (staying.size() > 1 || removed.size() > 1) return fail(notFree(number, faces));
+  auto c = measured(index, number);
+  if (!c) return c;
+  c->walkable = pickedFaces.empty() ? faces <= 1 : removed.size() == 1;
+  c->staying = std::move(staying);
+  if (!removed.empty()) c->removed = removed.front();
   return c;
 }
 
 }  // namespace
+
+Result<Candidate> measured(const ShapeIndex& index, int edge) {
+  const TopoDS_Edge& shape = index.edge(edge);
+  if (BRep_Tool::Degenerated(shape)) return fail(degenerate(edge, shape, 0.0));
+  if (!EdgeCurve(shape, Direction::Forward).isFinite())
+    return fail({.code = ErrorCode::EdgeInfinite, .edge = edge});
+  Candidate c{.edge = edge};
+  measure(shape, c);
+  if (!(c.length > 1e-3 * Precision::Confusion())) return fail(degenerate(edge, shape, c.length));
+  return c;
+}
 
 Error notFree(int edge, std::size_t faces) {
   return {.code = faces > 2 ? ErrorCode::EdgeWithManyFaces : ErrorCode::EdgeNotFree,

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/result.h"
 #include "occt/shape_index.h"
 
 namespace fairing::occt {
@@ -25,6 +25,9 @@ struct Candidate {
 
   [[nodiscard]] bool isLone() const { return staying.empty() && !removed; }
 };
+
+/// An edge by itself, without its faces. Fails with EdgeDegenerate or EdgeInfinite.
+[[nodiscard]] Result<Candidate> measured(const ShapeIndex& index, int edge);
 
 struct Candidates {
   std::vector<Candidate> edges;

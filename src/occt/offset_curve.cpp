@@ -4,24 +4,16 @@
 //   w'' = -I^-1 (Su . a, Sv . a),   a = Suu u'^2 + 2 Suv u' v' + Svv v'^2      [DoCarmo1976] 4-4
 #include "occt/offset_curve.h"
 
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Geom_BSplineCurve.hxx>
 #include <Geom_Surface.hxx>
-#include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "core/spline/fit_curve.h"
-#include "occt/from_occt.h"
-#include "occt/surface_point.h"
-#include "occt/to_geom.h"
+#include "occt/face_curve.h"
 
 namespace fairing::occt {
 namespace {
@@ -33,12 +25,6 @@ constexpr int kPlaces = 65;    // along the edge
 constexpr int kSteps = 48;     // along a geodesic
 constexpr int kHalvings = 16;  // of the step that leaves the face
 constexpr double kSameParameter = 1e-9;
-constexpr double kFit = 2e-8;  // mm: within what the kernel takes for one place
-constexpr int kDegree = 5, kMostPoles = 200;
-constexpr double kDifference = 1e-4;  // of the edge's parameter range
-// A straight end goes on in steps of this share of the edge, so many at most.
-constexpr double kStepShare = 0.02;
-constexpr int kMostSteps = 500;
 
 // How far a geodesic got, and whether it was inside the face all along.
 struct Reached {
@@ -49,8 +35,7 @@ struct Reached {
 
 class Offset {
  public:
-  explicit Offset(const OffsetRequest& request)
-      : request_(request), surface_(request.face, false), trim_(forward(request.face), kTrim) {
+  explicit Offset(const OffsetRequest& request) : request_(request), face_(request.face) {
     pcurve_ = BRep_Tool::CurveOnSurface(request.use, request.face, first_, last_);
     if (pcurve_.IsNull()) throw Standard_Failure("an edge has no curve on its face");
     const bool faceReversed = request.face.Orientation() == TopAbs_REVERSED;
@@ -72,31 +57,21 @@ class Offset {
     bool inside = true;
     for (int k = 1; k <= kSteps; ++k) {
       const State next = advanced(state, step);
-      if (inside) reached.inside += isInside(next.w) ? step : insidePart(state, step);
-      inside = inside && isInside(next.w);
+      if (inside) reached.inside += face_.isInside(next.w) ? step : insidePart(state, step);
+      inside = inside && face_.isInside(next.w);
       state = next;
     }
     reached.at = state.w;
     reached.all = inside;
     return reached;
   }
-  [[nodiscard]] SurfacePoint at(const Vector2d& w) const {
-    return evaluate(surface_, w.x(), w.y());
-  }
-  [[nodiscard]] TopAbs_State state(const Vector2d& w) const {
-    return trim_.Perform(gp_Pnt2d(w.x(), w.y()), true);
-  }
-  [[nodiscard]] bool isInside(const Vector2d& w) const { return state(w) != TopAbs_OUT; }
+  [[nodiscard]] SurfacePoint at(const Vector2d& w) const { return face_.at(w); }
+  [[nodiscard]] const FaceDomain& face() const { return face_; }
 
  private:
-  static constexpr double kTrim = 1e-7;
   struct State {
     Vector2d w, dw;
   };
-  static TopoDS_Face forward(TopoDS_Face face) {
-    face.Orientation(TopAbs_FORWARD);
-    return face;
-  }
   [[nodiscard]] State rate(const State& s) const {
     const SurfacePoint p = at(s.w);
     const double u = s.dw.x(), v = s.dw.y();
@@ -117,14 +92,13 @@ class Offset {
     double inside = 0.0, outside = step;
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = 0.5 * (inside + outside);
-      (isInside(advanced(from, middle).w) ? inside : outside) = middle;
+      (face_.isInside(advanced(from, middle).w) ? inside : outside) = middle;
     }
     return inside;
   }
 
   const OffsetRequest& request_;
-  BRepAdaptor_Surface surface_;
-  BRepTopAdaptor_FClass2d trim_;
+  FaceDomain face_;
   Handle(Geom2d_Curve) pcurve_;
   double first_ = 0.0, last_ = 1.0, insideSign_ = 1.0;
 };
@@ -139,20 +113,6 @@ TopoDS_Edge edgeOn(const Handle(Geom_Curve) & curve, double from, double to) {
   BRepBuilderAPI_MakeEdge make(curve, first, last);
   if (!make.IsDone()) throw Standard_Failure("the curve of a setback makes no edge");
   return make.Edge();
-}
-
-// An edge that follows a curve, its tolerance what is left; a closed curve stays closed.
-TopoDS_Edge edgeAlong(const spline::CurveFunction& given) {
-  const auto knots =
-      spline::knotsThatFit({given}, spline::KnotVector::bezier(kDegree), kFit, kMostPoles);
-  spline::CurveFit fit = spline::fitCurve(given, knots);
-  spline::Poles& poles = fit.curve.poles;
-  if ((poles.row(0) - poles.bottomRows<1>()).norm() <= kFit)
-    poles.bottomRows<1>() = poles.row(0).eval();
-  const Handle(Geom_BSplineCurve) curve = toCurve(fit.curve);
-  const TopoDS_Edge edge = edgeOn(curve, curve->FirstParameter(), curve->LastParameter());
-  BRep_Builder().UpdateEdge(edge, std::max(Precision::Confusion(), fit.error()));
-  return edge;
 }
 
 // The offset where it is an iso-curve of the surface.
@@ -174,42 +134,8 @@ std::optional<TopoDS_Edge> isoEdge(const TopoDS_Face& face, const std::vector<Ve
 
 // Any other one, between two places of the edge.
 TopoDS_Edge fittedEdge(const Offset& offset, double from, double to) {
-  const auto pointAt = [&](double t) {
-    return offset.at(offset.from(from + t * (to - from)).at).point;
-  };
-  const auto given = [&](double t) {
-    const double h = kDifference;
-    const Vector3d point = pointAt(t);
-    if (t - h < 0.0)
-      return spline::CurvePoint{
-          point, (-3.0 * point + 4.0 * pointAt(t + h) - pointAt(t + 2.0 * h)) / (2.0 * h)};
-    if (t + h > 1.0)
-      return spline::CurvePoint{
-          point, (3.0 * point - 4.0 * pointAt(t - h) + pointAt(t - 2.0 * h)) / (2.0 * h)};
-    return spline::CurvePoint{point, (pointAt(t + h) - pointAt(t - h)) / (2.0 * h)};
-  };
-  return edgeAlong(given);
-}
-
-// From an end inside the face straight on, in the parameters, until the face is left.
-std::optional<TopoDS_Edge> straightOn(const Offset& offset,
-                                      const Vector2d& end,
-                                      const Vector2d& before,
-                                      double length) {
-  const Vector2d direction = end - before;
-  const SurfacePoint at = offset.at(end);
-  const double speed = (direction.x() * at.su + direction.y() * at.sv).norm();
-  const Vector2d step = direction * (kStepShare * length / speed);
-  int steps = 1;
-  while (offset.isInside(end + steps * step)) {
-    if (++steps > kMostSteps) return std::nullopt;
-  }
-  const Vector2d way = (steps + 1) * step;
-  const auto given = [&](double t) {
-    const SurfacePoint p = offset.at(end + t * way);
-    return spline::CurvePoint{p.point, way.x() * p.su + way.y() * p.sv};
-  };
-  return edgeAlong(given);
+  return edgeThrough(
+      [&](double t) { return offset.at(offset.from(from + t * (to - from)).at).point; });
 }
 
 // The places between which the offset lies inside the face, and one beyond on either side.
@@ -253,8 +179,9 @@ Result<std::vector<TopoDS_Edge>> offsetOnFace(const OffsetRequest& request) {
   for (std::size_t k = 1; k < places.size(); ++k)
     length += (offset.at(places[k]).point - offset.at(places[k - 1]).point).norm();
   const auto goOn = [&](const Vector2d& end, const Vector2d& before) {
-    if (offset.state(end) != TopAbs_IN) return;
-    if (const auto edge = straightOn(offset, end, before, length)) edges.push_back(*edge);
+    if (offset.face().state(end) != TopAbs_IN) return;
+    if (const auto way = straightOut(offset.face(), end, before, length))
+      edges.push_back(way->edge);
   };
   if (request.ends[0] == EdgeEnd::Open) goOn(places.front(), places[1]);
   if (request.ends[1] == EdgeEnd::Open) goOn(places.back(), places[places.size() - 2]);

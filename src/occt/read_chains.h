@@ -22,13 +22,19 @@ struct BlendPicks {
   /// How far into the faces the blend starts, from the first side and from the second, mm, 0 or
   /// more. readChains() gives the edges themselves: see setback.h.
   std::array<double, 2> setback = {};
+  /// Edges that make the curve in the faces where a side starts instead, in any order.
+  std::array<std::vector<int>, 2> setbackCurve = {};
   boundary::MatchKind match = boundary::MatchKind::Auto;
   double alignment = 0.0;                       ///< of closed sides (boundary/chain_match.h)
   std::vector<std::pair<int, int>> pairs = {};  ///< VertexN of the sides that belong together
   /// Open chains of the second side are one side each of a blend round a vertex.
   bool ring = false;
-  std::vector<int> cuts =
-      {};  ///< edges whose ends show where the cuts of a junction leave its rims
+  std::vector<int> cuts = {};  ///< edges whose ends are those of the cuts of a junction
+
+  [[nodiscard]] bool isSetBack() const {
+    return setback != std::array<double, 2>{} || !setbackCurve[0].empty() ||
+           !setbackCurve[1].empty();
+  }
 };
 
 /// The two chains the picks mean: the picked edges of a side, and those that continue them smoothly

@@ -12,9 +12,12 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 
+#include "occt/drawn_setback.h"
 #include "occt/edge_curve.h"
 #include "occt/guarded.h"
 #include "occt/offset_curve.h"
@@ -25,11 +28,12 @@ namespace {
 using boundary::BoundarySide;
 using boundary::ChainPair;
 
-/// The curve a chain's edge is to be set back to.
+/// What a chain's edge is to be set back to.
 struct Cut {
   int edge = 0, face = 0;
-  std::size_t chain = 0;
   std::vector<TopoDS_Edge> tools;
+  /// What it means if the face lets the edge go nowhere.
+  ErrorCode without = ErrorCode::SetbackTooLarge;
 };
 
 /// The side before (step -1) or after (+1) in its chain; nothing at an open end.
@@ -53,8 +57,7 @@ bool runsForward(const ShapeIndex& index, const BoundarySide& side) {
 
 Result<Cut> cutOf(const ShapeIndex& index, const ChainPair& pair, std::size_t k, double distance) {
   const BoundarySide& side = pair.sides.sides[k];
-  const EdgeUse* use = side.face > 0 ? useIn(index, side.edge, side.face) : nullptr;
-  if (!use) return fail({.code = ErrorCode::SetbackWithoutFace, .edge = side.edge});
+  const EdgeUse* use = useIn(index, side.edge, side.face);
   const auto end = [&](int step) {
     const auto next = neighbour(pair, k, step);
     return next && pair.sides.sides[*next].face == side.face ? EdgeEnd::Joined : EdgeEnd::Open;
@@ -69,7 +72,58 @@ Result<Cut> cutOf(const ShapeIndex& index, const ChainPair& pair, std::size_t k,
     error.where = side.ribbon.curve(0.5).point;
     return fail(error);
   }
-  return Cut{side.edge, side.face, pair.chainOf(k), std::move(*tools)};
+  return Cut{side.edge, side.face, std::move(*tools)};
+}
+
+std::optional<Error> checkSetback(const ShapeIndex& index,
+                                  const BlendPicks& picks,
+                                  const ChainPair& pair) {
+  const auto isSetBack = [&](std::size_t chain) {
+    return picks.setback[chain] != 0.0 || !picks.setbackCurve[chain].empty();
+  };
+  for (const std::size_t chain : {0U, 1U}) {
+    if (!(picks.setback[chain] >= 0.0))
+      return Error{.code = ErrorCode::SetbackNegative, .value = picks.setback[chain]};
+    if (picks.setback[chain] > 0.0 && !picks.setbackCurve[chain].empty())
+      return Error{.code = ErrorCode::SetbackTwice, .detail = chain == 0 ? "from" : "to"};
+  }
+  for (std::size_t k = 0; k < pair.sides.sides.size(); ++k) {
+    const BoundarySide& side = pair.sides.sides[k];
+    const bool hasFace = side.face > 0 && useIn(index, side.edge, side.face);
+    if (isSetBack(pair.chainOf(k)) && !hasFace)
+      return Error{.code = ErrorCode::SetbackWithoutFace, .edge = side.edge};
+  }
+  return std::nullopt;
+}
+
+/// The cuts of one chain; the notes of a drawn curve go to `notes`.
+Result<std::vector<Cut>> cutsOf(const ShapeIndex& index,
+                                const BlendPicks& picks,
+                                const ChainPair& pair,
+                                std::size_t chain,
+                                std::vector<analysis::Note>& notes) {
+  std::vector<Cut> cuts;
+  LaidCurve laid;
+  const std::vector<int>& drawn = picks.setbackCurve[chain];
+  if (drawn.empty() && picks.setback[chain] == 0.0) return cuts;
+  if (!drawn.empty()) {
+    auto curve = layOntoFaces(index, drawn, pair, chain);
+    if (!curve) return fail(curve.error());
+    laid = std::move(*curve);
+    notes.insert(notes.end(), laid.notes.begin(), laid.notes.end());
+  }
+  for (std::size_t k = 0; k < pair.sides.sides.size(); ++k) {
+    if (pair.chainOf(k) != chain) continue;
+    const BoundarySide& side = pair.sides.sides[k];
+    if (!drawn.empty()) {
+      cuts.push_back({side.edge, side.face, laid.onFace[side.face], ErrorCode::SetbackCurveBeside});
+      continue;
+    }
+    auto cut = cutOf(index, pair, k, picks.setback[chain]);
+    if (!cut) return fail(cut.error());
+    cuts.push_back(std::move(*cut));
+  }
+  return cuts;
 }
 
 /// What shapes have become.
@@ -97,11 +151,25 @@ TopoDS_Compound compoundOf(const std::vector<TopoDS_Shape>& shapes) {
 
 using ShapeMap = TopTools_IndexedMapOfShape;
 
+/// How far the middle of an edge lies from another one, mm.
+double middleTo(const TopoDS_Edge& edge, const TopoDS_Edge& other) {
+  constexpr int kSamples = 32;
+  const Eigen::Vector3d middle = EdgeCurve(edge, Direction::Forward).point(0.5);
+  const EdgeCurve curve(other, Direction::Forward);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= kSamples; ++k)
+    nearest = std::min(nearest, (curve.point(double(k) / kSamples) - middle).norm());
+  return nearest;
+}
+
 /// The base while it is trimmed.
 class Trimming {
  public:
-  Trimming(const ShapeIndex& index, const std::vector<Cut>& cuts, BRepAlgoAPI_Splitter& splitter)
-      : index_(index), cuts_(cuts), images_(splitter) {}
+  Trimming(const ShapeIndex& index,
+           const std::vector<Cut>& cuts,
+           const std::set<int>& drawn,
+           BRepAlgoAPI_Splitter& splitter)
+      : index_(index), cuts_(cuts), drawn_(drawn), images_(splitter) {}
 
   /// The faces that stay: pieces that still hold an edge of a chain are left out.
   [[nodiscard]] TopoDS_Compound stayingFaces() {
@@ -120,14 +188,14 @@ class Trimming {
       }
     }
     for (int edge = 1; edge <= index_.edgeCount(); ++edge)
-      if (index_.uses(edge).empty())
+      if (index_.uses(edge).empty() && !drawn_.contains(edge))
         for (const TopoDS_Shape& image : images_.of(index_.edge(edge))) staying.push_back(image);
     return compoundOf(staying);
   }
 
-  /// The new base; fails with SetbackTooLarge and EdgeNotInLoop.
+  /// The new base; fails with SetbackTooLarge, SetbackCurveBeside and EdgeNotInLoop.
   [[nodiscard]] Result<TrimmedBase> finish(const BlendPicks& picks, const ChainPair& pair) {
-    TrimmedBase base{ShapeIndex(stayingFaces()), {.continuity = picks.continuity}, {}};
+    TrimmedBase base{ShapeIndex(stayingFaces()), {.continuity = picks.continuity}, {}, {}};
     ShapeMap edges, faces;
     TopExp::MapShapes(base.index.shape(), TopAbs_EDGE, edges);
     TopExp::MapShapes(base.index.shape(), TopAbs_FACE, faces);
@@ -137,13 +205,7 @@ class Trimming {
     for (int face = 1; face <= index_.faceCount(); ++face)
       for (const int number : numbersOf(index_.face(face), faces))
         base.users.faces.emplace(number, face);
-    for (const Cut& cut : cuts_) {
-      std::set<int> border;
-      for (const TopoDS_Edge& tool : cut.tools) border.merge(numbersOf(tool, edges));
-      if (border.empty())
-        return fail({.code = ErrorCode::SetbackTooLarge, .edge = cut.edge, .face = cut.face});
-      for (const int number : border) base.users.edges[number] = cut.edge;
-    }
+    if (const auto uncut = nameBorders(edges, base)) return fail(*uncut);
     for (std::size_t k = 0; k < pair.sides.sides.size(); ++k)
       for (const auto& [number, user] : base.users.edges)
         if (user == pair.sides.sides[k].edge)
@@ -159,6 +221,25 @@ class Trimming {
     for (const TopoDS_Shape& image : images_.of(shape))
       if (const int number = all.FindIndex(image); number > 0) numbers.insert(number);
     return numbers;
+  }
+  /// Gives every new border the number of the edge that was set back to it, the nearest one where
+  /// several were.
+  std::optional<Error> nameBorders(const ShapeMap& edges, TrimmedBase& base) {
+    std::map<int, double> nearest;
+    for (const Cut& cut : cuts_) {
+      std::set<int> border;
+      for (const TopoDS_Edge& tool : cut.tools) border.merge(numbersOf(tool, edges));
+      std::erase_if(border, [&](int number) { return base.index.uses(number).size() > 1; });
+      if (border.empty()) return Error{.code = cut.without, .edge = cut.edge, .face = cut.face};
+      for (const int number : border) {
+        const double distance = middleTo(base.index.edge(number), index_.edge(cut.edge));
+        const auto [known, isNew] = nearest.try_emplace(number, distance);
+        if (!isNew && known->second <= distance) continue;
+        known->second = distance;
+        base.users.edges[number] = cut.edge;
+      }
+    }
+    return std::nullopt;
   }
   static std::optional<Error> translate(const std::map<int, Continuity>& wishes,
                                         TrimmedBase& base) {
@@ -176,8 +257,24 @@ class Trimming {
 
   const ShapeIndex& index_;
   const std::vector<Cut>& cuts_;
+  const std::set<int>& drawn_;
   Images images_;
 };
+
+void split(const TopoDS_Shape& shape,
+           const std::vector<Cut>& cuts,
+           BRepAlgoAPI_Splitter& splitter) {
+  TopTools_ListOfShape shapes, tools;
+  shapes.Append(shape);
+  ShapeMap different;  // edges of one face are cut off by one curve
+  for (const Cut& cut : cuts)
+    for (const TopoDS_Edge& tool : cut.tools) different.Add(tool);
+  for (int k = 1; k <= different.Extent(); ++k) tools.Append(different(k));
+  splitter.SetArguments(shapes);
+  splitter.SetTools(tools);
+  splitter.SetNonDestructive(true);
+  splitter.Build();
+}
 
 void rename(int& number, const std::map<int, int>& users) {
   if (const auto found = users.find(number); found != users.end()) number = found->second;
@@ -196,28 +293,24 @@ Named renamed(Named named, const UserNumbers& users) {
 Result<TrimmedBase> trimBack(const ShapeIndex& index,
                              const BlendPicks& picks,
                              const boundary::ChainPair& pair) {
-  for (const double setback : picks.setback)
-    if (!(setback >= 0.0)) return fail({.code = ErrorCode::SetbackNegative, .value = setback});
+  if (const auto wrong = checkSetback(index, picks, pair)) return fail(*wrong);
   return guarded([&]() -> Result<TrimmedBase> {
     std::vector<Cut> cuts;
-    TopTools_ListOfShape shapes, tools;
-    shapes.Append(index.shape());
-    for (std::size_t k = 0; k < pair.sides.sides.size(); ++k) {
-      const double distance = picks.setback[pair.chainOf(k)];
-      if (!(distance > 0.0)) continue;
-      auto cut = cutOf(index, pair, k, distance);
-      if (!cut) return fail(cut.error());
-      for (const TopoDS_Edge& tool : cut->tools) tools.Append(tool);
-      cuts.push_back(std::move(*cut));
+    std::vector<analysis::Note> notes;
+    std::set<int> drawn;
+    for (const std::size_t chain : {0U, 1U}) {
+      auto own = cutsOf(index, picks, pair, chain, notes);
+      if (!own) return fail(own.error());
+      std::move(own->begin(), own->end(), std::back_inserter(cuts));
+      drawn.insert(picks.setbackCurve[chain].begin(), picks.setbackCurve[chain].end());
     }
     BRepAlgoAPI_Splitter splitter;
-    splitter.SetArguments(shapes);
-    splitter.SetTools(tools);
-    splitter.SetNonDestructive(true);
-    splitter.Build();
+    split(index.shape(), cuts, splitter);
     if (splitter.HasErrors())
       return fail({.code = ErrorCode::Foreign, .detail = "the faces could not be set back"});
-    return Trimming(index, cuts, splitter).finish(picks, pair);
+    auto base = Trimming(index, cuts, drawn, splitter).finish(picks, pair);
+    if (base) base->notes = std::move(notes);
+    return base;
   });
 }
 

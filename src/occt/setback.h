@@ -23,12 +23,15 @@ struct TrimmedBase {
   ShapeIndex index;
   BlendPicks picks;   ///< the same wishes in its numbers, without a setback
   UserNumbers users;  ///< an edge that was set back gives its number to the curve it went to
+  std::vector<analysis::Note> notes;  ///< of drawn curves, in the user's numbers
 };
 
-/// Trims the faces beside the picked chains, `pair`, back by `picks.setback`: they are split along
-/// the curves at that distance (offset_curve.h), and what lies between these and the chains is left
-/// out. Fails with SetbackNegative, SetbackWithoutFace, SetbackTooLarge, and EdgeNotInLoop for a
-/// wish about an edge that is cut off.
+/// Trims the faces beside the picked chains, `pair`, back by `picks.setback` or to
+/// `picks.setbackCurve`: they are split along the curves at that distance (offset_curve.h) or along
+/// the drawn ones (drawn_setback.h), and what lies between these and the chains is left out; drawn
+/// edges without a face are, too. Fails with SetbackNegative, SetbackTwice, SetbackWithoutFace,
+/// SetbackTooLarge, SetbackCurveBeside, the codes of layOntoFaces(), and EdgeNotInLoop for a wish
+/// about an edge that is cut off.
 [[nodiscard]] Result<TrimmedBase> trimBack(const ShapeIndex& index,
                                            const BlendPicks& picks,
                                            const boundary::ChainPair& pair);

@@ -36,6 +36,8 @@ ShapeBlend blend(const ShapeIndex& shape,
                  bool toFlip,
                  double fromSetback,
                  double toSetback,
+                 std::vector<int> fromCurve,
+                 std::vector<int> toCurve,
                  const std::string& match,
                  double alignment,
                  std::vector<std::pair<int, int>> pairs,
@@ -51,6 +53,7 @@ ShapeBlend blend(const ShapeIndex& shape,
                                .continuity = continuityOf(continuity),
                                .edgeContinuity = continuitiesOf(wishes.value_or(Wishes{})),
                                .setback = {fromSetback, toSetback},
+                               .setbackCurve = {std::move(fromCurve), std::move(toCurve)},
                                .match = choice(text::matchFrom, "match", match),
                                .alignment = alignment,
                                .pairs = std::move(pairs)};
@@ -145,6 +148,8 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           py::arg("to_flip") = false,
           py::arg("from_setback") = 0.0,
           py::arg("to_setback") = 0.0,
+          py::arg("from_curve") = std::vector<int>{},
+          py::arg("to_curve") = std::vector<int>{},
           py::arg("match") = std::string(text::word(boundary::MatchKind::Auto)),
           py::arg("alignment") = 0.0,
           py::arg("pairs") = std::vector<std::pair<int, int>>{},
@@ -165,7 +170,8 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           "side "
           "the other way, over its face. from_setback and to_setback, mm: start inside the faces "
           "at this "
-          "distance from the edges; the faces are trimmed back to there. "
+          "distance from the edges; the faces are trimmed back to there. from_curve and to_curve: "
+          "start at the curve that these edges make on the faces, or a little off them, instead. "
           "match is auto, length or corners: corners belong to corners "
           "where both sides have as many, points at equal shares of the lengths elsewhere. "
           "alignment, -0.5 to 0.5, turns closed sides against each other, by a share of the second "

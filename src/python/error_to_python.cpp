@@ -118,6 +118,18 @@ const char* name(ErrorCode code) {
       return "SetbackTooLarge";
     case ErrorCode::SetbackPairs:
       return "SetbackPairs";
+    case ErrorCode::SetbackTwice:
+      return "SetbackTwice";
+    case ErrorCode::SetbackCurveBroken:
+      return "SetbackCurveBroken";
+    case ErrorCode::SetbackCurveUnlike:
+      return "SetbackCurveUnlike";
+    case ErrorCode::SetbackCurveOff:
+      return "SetbackCurveOff";
+    case ErrorCode::SetbackCurveShort:
+      return "SetbackCurveShort";
+    case ErrorCode::SetbackCurveBeside:
+      return "SetbackCurveBeside";
     case ErrorCode::LayoutUnfit:
       return "LayoutUnfit";
     case ErrorCode::EdgeNotInLoop:

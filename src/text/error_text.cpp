@@ -288,6 +288,53 @@ std::string departureSentence(const Error& e) {
   }
 }
 
+std::string drawnSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::SetbackTwice:
+      return fmt::format(
+          "The side \"{}\" is set back by a distance and by a curve: give one of them.", e.detail);
+    case ErrorCode::SetbackCurveBroken:
+      return fmt::format(
+          "The edges of the curve a side is set back to make no single chain: edge {} does not go "
+          "on from the others{}.",
+          e.edge,
+          at(e));
+    case ErrorCode::SetbackCurveUnlike:
+      return e.detail == "closed"
+                 ? fmt::format(
+                       "The side is closed, the curve of edge {} it is set back to is not: draw it "
+                       "all round.",
+                       e.edge)
+                 : fmt::format(
+                       "The side is open, the curve of edge {} it is set back to is closed: draw "
+                       "it "
+                       "from border to border.",
+                       e.edge);
+    case ErrorCode::SetbackCurveOff:
+      return fmt::format(
+          "The curve a side is set back to leaves face {} by {}: edge {}{}; draw it on the face or "
+          "close to it.",
+          e.face,
+          length(e.value),
+          e.edge,
+          at(e));
+    case ErrorCode::SetbackCurveShort:
+      return fmt::format(
+          "The curve a side is set back to ends inside face {}{}{}: draw edge {} as far as the "
+          "border.",
+          e.face,
+          at(e),
+          e.value > 0.0 ? fmt::format(", {} from its border", length(e.value)) : "",
+          e.edge);
+    default:
+      return fmt::format(
+          "The curve the side is set back to does not cut edge {} off face {}: draw it from border "
+          "to border of the face, without touching the edge.",
+          e.edge,
+          e.face);
+  }
+}
+
 std::string fileSentence(const Error& e) {
   switch (e.code) {
     case ErrorCode::FileUnreadable:
@@ -386,6 +433,13 @@ std::string sentence(const Error& error) {
     case ErrorCode::SetbackTooLarge:
     case ErrorCode::SetbackPairs:
       return departureSentence(error);
+    case ErrorCode::SetbackTwice:
+    case ErrorCode::SetbackCurveBroken:
+    case ErrorCode::SetbackCurveUnlike:
+    case ErrorCode::SetbackCurveOff:
+    case ErrorCode::SetbackCurveShort:
+    case ErrorCode::SetbackCurveBeside:
+      return drawnSentence(error);
     case ErrorCode::FileUnreadable:
     case ErrorCode::FileNotAShape:
     case ErrorCode::FileUnwritable:

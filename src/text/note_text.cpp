@@ -59,6 +59,23 @@ std::string sentence(const analysis::Note& note) {
       return fmt::format("The shapes that the blend joins overlap over {} about {}.",
                          length(note.value),
                          point(note.where));
+    case analysis::NoteCode::SetbackOffFace:
+      return fmt::format(
+          "The curve that the blend is set back to was laid onto face {}: edge {} is {} off it at "
+          "{}.",
+          note.face,
+          note.edge,
+          length(note.value),
+          point(note.where));
+    case analysis::NoteCode::SetbackExtended:
+      return fmt::format(
+          "The curve that the blend is set back to was extended by {} from the end of edge {} at "
+          "{} "
+          "to the border of face {}.",
+          length(note.value),
+          note.edge,
+          point(note.where),
+          note.face);
   }
   return {};
 }

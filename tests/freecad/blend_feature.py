@@ -60,6 +60,10 @@ def joins(blend, *sides):
     assert blend.WithinTolerance and blend.LargestAngle.Value <= support.ANGLE_TOLERANCE, blend.Verdict
 
 
+def least_y(blend):
+    return min(vertex.Y for vertex in blend.Shape.Vertexes)
+
+
 def raises(kind, action):
     """The exception an action fails with."""
     try:
@@ -250,6 +254,50 @@ def takes_edges_of_several_objects_on_a_side():
     assert "West.Edge" in str(raises(ValueError, lambda: fairing.change_blend(blend, to_continuity={"Edge1": "G0"})))
     fairing.change_blend(blend, to_edges=left)
     assert blend.ToEdges == [(west, tuple(left[1]))] and blend.Shape.Area < before - 1.0
+
+
+def starts_at_a_sketch_on_the_face():
+    document, base, names = two_planes()
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    sketch.Placement.Base = App.Vector(0, 0, 0.1)  # a little above the lower plane
+    for ends in (((9, 6, 0), (-1, 6, 0)), ((9, 6, 0), (21, 6, 0))):
+        sketch.addGeometry(Part.LineSegment(*(App.Vector(*end) for end in ends)), False)
+    document.recompute()
+    low, high = (base, names[:1]), (base, names[1:])
+    blend = fairing.make_blend(low, high, from_curve=(sketch, ["Edge1", "Edge2"]))
+    assert blend.FromCurve == [(sketch, ("Edge1", "Edge2"))] and blend.ToCurve == []
+    assert abs(least_y(blend) - 6.0) < 1e-6 and blend.WithinTolerance
+    assert set(blend.ReportEdges) == {*names} and "laid onto face" in blend.Notes[0], (blend.ReportEdges, blend.Notes)
+    sketch.Placement.Base.y = 1.0  # drawn anew: the blend follows
+    document.recompute()
+    assert abs(least_y(blend) - 7.0) < 1e-6
+    fairing.change_blend(blend, from_curve=sketch, result="base")  # the whole sketch
+    assert [obj for obj, _ in blend.FromCurve] == [sketch]
+    level = [face for face in blend.Shape.Faces if face.CenterOfMass.z < 1e-6]
+    assert abs(sum(face.Area for face in level) - 20.0 * 7.0) < 1e-4
+    error = raises(ValueError, lambda: fairing.change_blend(blend, from_setback=1.0))
+    assert "by a distance and by a curve" in str(error) and blend.FromSetback.Value == 0.0
+    fairing.change_blend(blend, from_curve=[], result="patches")
+    joins(blend, low, high)
+    error = raises(ValueError, lambda: fairing.change_blend(blend, from_curve=(sketch, ["Edge9"])))
+    assert "Sketch has 2" in str(error), error
+    error = raises(ValueError, lambda: fairing.change_blend(blend, to_curve=(sketch, ["Face1"])))
+    assert "is not an edge" in str(error), error
+    joins(blend, low, high)
+
+
+def starts_at_an_edge_of_what_it_joins():
+    document = App.newDocument("Steps")
+    base = object_of(document, "Base", Part.Compound([
+        Part.makeShell([Part.makePlane(20, 6), Part.makePlane(20, 4, App.Vector(0, 6, 0))]),
+        Part.makePlane(20, 10, App.Vector(0, 20, 8))]))
+    document.recompute()
+    low, middle, high = (next(f"Edge{number}" for number, edge in enumerate(base.Shape.Edges, 1)
+                              if edge.CenterOfMass.distanceToPoint(App.Vector(*point)) < 1e-6)
+                         for point in ((10, 10, 0), (10, 6, 0), (10, 20, 8)))
+    blend = fairing.make_blend((base, [low]), (base, [high]), from_curve=(base, [middle]))
+    joins(blend, (base, [middle]), (base, [high]))
+    assert blend.ReportEdges == [low, high], blend.ReportEdges
 
 
 def survives_save_and_reopen():

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is rarely chosen about a blend, folded away in the panel: reach that changes along a side, direction, setback,
-and which points belong together, shown in the view; kept by the object and written into macros."""
+"""What is rarely chosen about a blend, folded away in the panel: reach that changes along a side, direction, setback
+by a distance and to a curve, and which points belong together, shown in the view; kept by the object and written into
+macros."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -90,6 +91,53 @@ gui.wait_for_verdict()
 gui.press("Ok")
 assert blend.FromReachEnd == 0.0 and blend.ToDeparture == "free" and blend.ToSetback.Value == 2.0
 assert abs(blend.Shape.BoundBox.YMax - 22.0) < 0.01, "the blend ends 2 mm inside the upper plane"
+
+# A curve to set back to: a sketch picked in the tree, its edges, taken away again; in the macro and on editing.
+sketch = document.addObject("Sketcher::SketchObject", "Line")
+sketch.Placement.Base = App.Vector(0, 0, 8.1)
+sketch.addGeometry(Part.LineSegment(App.Vector(-1, 23, 0), App.Vector(21, 24, 0)), False)
+document.recompute()
+Gui.ActiveDocument.setEdit("Blend")
+gui.wait_for_verdict()
+gui.type_into("toSetbackSpin", "0 mm")
+gui.wait_for_verdict()
+gui.widget("toCurveButton").click()
+assert gui.widget("toCurveButton").text() == "Pick an edge"
+Gui.Selection.addSelection(document.Name, "Low", low_edge.replace("Edge", "Vertex"))
+gui.wait_for(lambda: "or a sketch" in Gui.getMainWindow().statusBar().currentMessage(), "the hint")
+assert gui.widget("toCurveButton").isChecked()
+Gui.Selection.addSelection(document.Name, "Line", "Edge1")
+gui.wait_for(lambda: not gui.widget("toCurveButton").isChecked(), "the curve")
+gui.wait_for_verdict()
+assert gui.widget("toCurveButton").text() == "Line: Edge1" and gui.widget("fromCurveButton").text() == "To a curve"
+assert "laid onto face" in gui.verdict(), gui.verdict()
+gui.picture("blend_curve")
+gui.type_into("toSetbackSpin", "1 mm")
+gui.wait_for_verdict("The side \"to\" is set back by a distance and by a curve")
+gui.type_into("toSetbackSpin", "0 mm")
+gui.wait_for_verdict()
+gui.press("Ok")
+assert blend.ToCurve == [(sketch, ("Edge1",))] and blend.FromCurve == [], blend.ToCurve
+ends = sorted(vertex.Y for vertex in blend.Shape.Vertexes)[-2:]
+assert max(abs(ends[0] - 23.0 - 1 / 22), abs(ends[1] - 24.0 + 1 / 22)) < 1e-5, ends
+Gui.ActiveDocument.setEdit("Blend")
+gui.wait_for_verdict()
+assert gui.widget("moreBox").isVisible() and gui.widget("toCurveButton").text() == "Line: Edge1"
+gui.widget("toCurveRemoveButton").click()
+gui.wait_for_verdict()
+assert gui.widget("toCurveButton").text() == "To a curve" and not gui.widget("toCurveRemoveButton").isEnabled()
+gui.widget("toCurveButton").click()
+Gui.Selection.addSelection(document.Name, "Line")
+gui.wait_for(lambda: gui.widget("toCurveButton").text() == "Line", "the sketch")
+gui.wait_for_verdict()
+gui.press("Ok")
+assert [obj.Name for obj, _ in blend.ToCurve] == ["Line"] and blend.isValid()
+Gui.ActiveDocument.setEdit("Blend")
+gui.wait_for_verdict()
+gui.widget("toCurveRemoveButton").click()
+gui.wait_for_verdict()
+gui.press("Ok")
+assert blend.ToCurve == [] and abs(blend.Shape.BoundBox.YMax - 20.0) < 1e-5
 
 # Two vertices picked belong together.
 Gui.ActiveDocument.setEdit("Blend")

@@ -271,7 +271,8 @@ TEST(BlendJunction, TakesNothingThatSaysWhichPointsBelongTogether) {
   for (const auto wish : {+[](BlendPicks& picks) { picks.match = boundary::MatchKind::Length; },
                           +[](BlendPicks& picks) { picks.alignment = 0.1; },
                           +[](BlendPicks& picks) { picks.pairs = {{1, 2}}; },
-                          +[](BlendPicks& picks) { picks.setback = {1.0, 0.0}; }}) {
+                          +[](BlendPicks& picks) { picks.setback = {1.0, 0.0}; },
+                          +[](BlendPicks& picks) { picks.setbackCurve[1] = {1}; }}) {
     BlendPicks picks = rimsOf(shape, pipes);
     wish(picks);
     EXPECT_EQ(refusal(shape, picks), ErrorCode::JunctionWish);

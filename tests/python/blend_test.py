@@ -233,6 +233,53 @@ def test_starts_inside_the_faces(tubes):
     refused("SetbackNegative", lambda: fairing.blend(shape, [low], [high], to_setback=-1.0))
 
 
+def test_starts_at_a_drawn_curve(planes):
+    shape, low, high = planes
+    line = Part.makeLine(App.Vector(-1, 6, 0.1), App.Vector(21, 8, 0.1))
+    drawn = Part.Compound([shape, line])
+    number = len(drawn.Edges)
+    surface, report = fairing.blend(drawn, [low], [high], from_curve=[f"Edge{number}"])
+    assert report["within_tolerance"] and [side["edge"] for side in report["sides"]] == [low, high]
+    start = min(surface.Edges, key=lambda edge: edge.CenterOfMass.y)
+    for point in start.discretize(9):
+        assert abs(point.z) < 1e-6 and abs(point.y - 6.0 - (point.x + 1.0) / 11.0) < 1e-6
+    (note,) = report["notes"]
+    assert (note["edge"], round(note["value"], 9)) == (number, 0.1) and "laid onto face" in note["text"]
+    whole, _ = fairing.blend(drawn, [low], [high], from_curve=[number], result="base")
+    assert len(whole.Faces) == 3 and abs(sum(face.Area for face in whole.Faces if face.CenterOfMass.z < 1e-6)
+                                         - 20.0 * 7.0) < 1e-4
+    refused("SetbackTwice", lambda: fairing.blend(drawn, [low], [high], from_curve=[number], from_setback=1.0))
+    corners = [next(k for k, vertex in enumerate(drawn.Vertexes, 1) if vertex.Point.isEqual(App.Vector(*point), 1e-6))
+               for point in ((0, 10, 0), (0, 20, 8))]
+    refused("SetbackPairs", lambda: fairing.blend(drawn, [low], [high], from_curve=[number], pairs=[corners]))
+    refused("EdgeOutOfRange", lambda: fairing.blend(drawn, [low], [high], to_curve=[99]))
+    far = refused("SetbackCurveOff", lambda: fairing.blend(drawn, [low], [high], to_curve=[number]))
+    assert far.edge == number and far.value > 7.9
+    with pytest.raises(ValueError):
+        fairing.blend(drawn, [low], [high], from_curve=["Face1"])
+
+
+@pytest.mark.parametrize("ends, code", [
+    (((5, 6, 0), (21, 6, 0)), "SetbackCurveShort"),
+    (((10, -1, 0), (10, 11, 0)), "SetbackCurveBeside"),
+])
+def test_refuses_curves_that_cut_nothing_off(planes, ends, code):
+    shape, low, high = planes
+    drawn = Part.Compound([shape, Part.makeLine(*(App.Vector(*end) for end in ends))])
+    refused(code, lambda: fairing.blend(drawn, [low], [high], from_curve=[len(drawn.Edges)]))
+
+
+def test_refuses_curves_of_several_pieces_and_closed_ones(planes):
+    shape, low, high = planes
+    pieces = [Part.makeLine(App.Vector(-1, 6, 0), App.Vector(9, 6, 0)),
+              Part.makeLine(App.Vector(11, 6, 0), App.Vector(21, 6, 0))]
+    drawn = Part.Compound([shape, *pieces])
+    count = len(drawn.Edges)
+    refused("SetbackCurveBroken", lambda: fairing.blend(drawn, [low], [high], from_curve=[count, count - 1]))
+    drawn = Part.Compound([shape, Part.makeCircle(2, App.Vector(10, 5, 0))])
+    refused("SetbackCurveUnlike", lambda: fairing.blend(drawn, [low], [high], from_curve=[len(drawn.Edges)]))
+
+
 def test_a_kept_blend_reaches_as_one_that_is_made_anew(tubes):
     shape, low, high = tubes
     native = exchange.native_shape(shape)

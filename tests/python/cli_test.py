@@ -297,6 +297,24 @@ def test_blends_into_the_base(two_planes, tmp_path):
     assert base.isValid() and len(base.Faces) == 3
 
 
+def test_blends_from_a_drawn_curve(two_planes, tmp_path):
+    path, start, end = two_planes
+    pieces = [Part.makeLine(Vector(21, 8, 0), Vector(9, 6, 0)), Part.makeLine(Vector(-1, 6, 0), Vector(9, 6, 0))]
+    shape = Part.Compound([read(path), *pieces])
+    drawn = tmp_path / "drawn.brep"
+    shape.exportBrep(str(drawn))
+    start, end, last = edge_at(shape, (10, 10)), edge_at(shape, (10, 20)), len(shape.Edges)
+    out = tmp_path / "trimmed.brep"
+    sides = ["blend", drawn, "-o", out, "--from", start, "--to", end]
+    done = run(*sides, "--from-curve", f"{last},Edge{last - 1}", "--result", "base")
+    assert done.returncode == 0, done.stderr
+    trimmed = min(read(out).Faces, key=lambda face: face.CenterOfMass.y)
+    slope = 2.0 / 12.0  # of the second piece, from x = 9 to the border at 20
+    assert abs(trimmed.Area - (20.0 * 6.0 + 0.5 * slope * 11.0 ** 2)) < 1e-4
+    assert "set back by a distance and by a curve" in refused(*sides, "--to-curve", last, "--setback-to", 1)
+    assert "ends inside face 1 at (9, 6, 0)" in refused(*sides, "--from-curve", last)
+
+
 def test_refuses_blends_that_make_no_sense(two_planes, tmp_path):
     path, start, end = two_planes
     out = tmp_path / "out.brep"

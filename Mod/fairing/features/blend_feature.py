@@ -10,7 +10,7 @@ import FreeCAD as App
 from .. import exchange
 from ..blend_request import BlendRequest
 from . import blend_properties as properties
-from .blend_sides import BlendSides, Side, pairs_of
+from .blend_sides import BlendSides, Side, pairs_of, side_links
 from .placement import container_for_results, container_of
 from .solved_feature import SolvedFeature
 
@@ -27,7 +27,8 @@ class BlendFeature(SolvedFeature):
 
 
 def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Optional[Mapping[Any, str]] = None,
-               to_continuity: Optional[Mapping[Any, str]] = None, pairs=(), **options) -> App.DocumentObject:
+               to_continuity: Optional[Mapping[Any, str]] = None, pairs=(), from_curve=None, to_curve=None,
+               **options) -> App.DocumentObject:
     """Makes a surface that joins chains of free edges, beside the first one's object in the document, computed.
 
     from_edges       (object, ["Edge3"]): one edge of a smooth chain is enough
@@ -36,13 +37,17 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
     from_continuity  edges of the first side that differ from `continuity`, {"Edge3": "G0"}
     to_continuity    edges of the other side that differ, {"Pipe.Edge3": "G0"} where it has several objects
     pairs            vertices of both sides that belong together, [("Vertex3", "Vertex7")]
+    from_curve       (sketch, ["Edge1"]), a list of such links, or an object for all its edges: a curve on the faces of
+                     the first side, or a little off them, that it is set back to
+    to_curve         the same for the other side
     options          those of fairing.blend()
     Raises FairingError (or NativeModuleError) with one sentence, and then the document is as it was.
     """
     first, second = Side.of(from_edges, from_continuity), Side.of(to_edges, to_continuity)
     beside = first.objects[0]
     container = container_for_results(beside)
-    sides = BlendSides(first, second, container, pairs_of(pairs, first, second))
+    sides = BlendSides(first, second, container, pairs_of(pairs, first, second),
+                       (side_links(from_curve), side_links(to_curve)))
     request = sides.request(**options)
     solve(request, sides)
     obj = beside.Document.addObject("Part::FeaturePython", name)
@@ -60,8 +65,10 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
 
 def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
                  from_continuity: Optional[Mapping[Any, str]] = None,
-                 to_continuity: Optional[Mapping[Any, str]] = None, pairs=None, **changes) -> App.DocumentObject:
-    """Changes some choices of a blend (those of make_blend) and computes it again; the others stay as they are.
+                 to_continuity: Optional[Mapping[Any, str]] = None, pairs=None, from_curve=None, to_curve=None,
+                 **changes) -> App.DocumentObject:
+    """Changes some choices of a blend (those of make_blend) and computes it again; the others stay as they are. With []
+    a side has no curve any more.
 
     A side that moves to other edges forgets which of its edges differed in continuity, and the pairs. Raises FairingError with one
     sentence, and then the object is as it was.
@@ -72,7 +79,9 @@ def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
         pairs = pairs_of(pairs, first, second)
     elif from_edges is None and to_edges is None:
         pairs = properties.read_pairs(obj)
-    sides = BlendSides(first, second, container_of(obj), pairs or ())
+    curves = tuple(was if given is None else side_links(given)
+                   for was, given in zip(properties.read_curves(obj), (from_curve, to_curve)))
+    sides = BlendSides(first, second, container_of(obj), pairs or (), curves)
     request = sides.request(**{**properties.read_choices(obj), **changes})
     solve(request, sides)
     properties.write_request(obj, request, sides)

@@ -7,7 +7,8 @@ import FreeCAD as App
 
 from ..blend_request import BlendRequest
 from . import choice_properties, fill_properties
-from .blend_sides import BlendSides, Side, named_pairs, pairs_of
+from .blend_sides import BlendSides, Curves, Side, named_pairs, pairs_of
+from .links import links_of
 from .placement import container_of
 
 # name, type, group, tooltip
@@ -41,6 +42,10 @@ ASKED = (
      "How far inside the faces it starts, trimmed back to there in the sewn result"),
     ("ToSetback", "App::PropertyLength", "Shape",
      "How far inside the faces it ends, trimmed back to there in the sewn result"),
+    ("FromCurve", "App::PropertyLinkSubListGlobal", "Shape",
+     "Edges or sketches that make a curve on the faces it starts from: it starts there, the faces trimmed back to it"),
+    ("ToCurve", "App::PropertyLinkSubListGlobal", "Shape",
+     "Edges or sketches that make a curve on the faces it ends at: it ends there, the faces trimmed back to it"),
     ("Match", "App::PropertyEnumeration", "Shape",
      "Which points of the sides belong together: equal shares of their lengths, or corner to corner; auto: corners "
      "where both sides have as many"),
@@ -81,6 +86,8 @@ def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSi
     obj.FromEdges, obj.ToEdges = sides.from_side.links(), sides.to_side.links()
     obj.FromContinuity, obj.ToContinuity = sides.from_side.lines(), sides.to_side.lines()
     obj.Pairs = ["=".join(pair) for pair in named_pairs(sides.pairs, sides.from_side, sides.to_side)]
+    for name, curve in zip(("FromCurve", "ToCurve"), sides.curves):
+        setattr(obj, name, [(part, names or [""]) for part, names in curve])  # "": the whole object
     for member, name in NAMES.items():
         setattr(obj, name, getattr(request, member) or 0)
 
@@ -88,6 +95,11 @@ def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSi
 def read_pairs(obj: App.DocumentObject) -> tuple:
     """The vertices that belong together. Raises ValueError with one sentence."""
     return pairs_of((line.split("=") for line in obj.Pairs), from_side(obj), to_side(obj))
+
+
+def read_curves(obj: App.DocumentObject) -> Curves:
+    """What either side is set back to."""
+    return links_of(obj.FromCurve), links_of(obj.ToCurve)
 
 
 def from_side(obj: App.DocumentObject) -> Side:
@@ -101,7 +113,7 @@ def to_side(obj: App.DocumentObject) -> Side:
 
 def read_sides(obj: App.DocumentObject) -> BlendSides:
     """What an object's blend joins, in the coordinates it lives in. Raises ValueError with one sentence."""
-    return BlendSides(from_side(obj), to_side(obj), container_of(obj), read_pairs(obj))
+    return BlendSides(from_side(obj), to_side(obj), container_of(obj), read_pairs(obj), read_curves(obj))
 
 
 def read_choices(obj: App.DocumentObject) -> dict:

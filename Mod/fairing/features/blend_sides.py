@@ -7,6 +7,7 @@ import dataclasses
 from typing import Any, Iterable, Mapping, Optional
 
 import FreeCAD as App
+import Part
 
 from .. import subelements
 from ..blend_request import BlendRequest
@@ -63,24 +64,31 @@ class Side:
 
 
 Pair = tuple[Place, Place]  # vertices, one of either side, that belong together
+Curves = tuple[list[Link], list[Link]]  # what either side is set back to: edges, or objects for all of theirs
+NO_CURVES: Curves = ([], [])
 
 
 class BlendSides:
-    """Both sides, and the shape that holds the objects of both, in a container's coordinates."""
+    """Both sides, and the shape that holds the objects of both and the curves they are set back to, in a container's
+    coordinates."""
 
-    def __init__(self, from_side: Side, to_side: Side, container, pairs: Iterable[Pair] = ()):
-        self.from_side, self.to_side, self.pairs = from_side, to_side, tuple(pairs)
-        self.joined = JoinedShapes(from_side.objects + to_side.objects, container)
+    def __init__(self, from_side: Side, to_side: Side, container, pairs: Iterable[Pair] = (),
+                 curves: Curves = NO_CURVES):
+        self.from_side, self.to_side, self.pairs, self.curves = from_side, to_side, tuple(pairs), curves
+        self._curve_edges = [edges_of(curve) for curve in curves]
+        self.joined = JoinedShapes(from_side.objects + to_side.objects, container, sum(self._curve_edges, []))
 
     def request(self, **choices) -> BlendRequest:
         """What is asked of the whole shape. Raises ValueError where an object has no edge of that number."""
         wishes = {self.joined.number(*edge): word for side in (self.from_side, self.to_side)
                   for edge, word in side.wishes.items()}
         pairs = [tuple(self.joined.vertex_number(*place) for place in pair) for pair in self.pairs]
-        return BlendRequest.of(self._numbers(self.from_side), self._numbers(self.to_side), wishes, pairs, **choices)
+        curves = dict(zip(("from_curve", "to_curve"), map(self._numbers, self._curve_edges)))
+        return BlendRequest.of(self._numbers(self.from_side.edges), self._numbers(self.to_side.edges), wishes, pairs,
+                               **{**curves, **choices})
 
-    def _numbers(self, side: Side) -> list[int]:
-        return [self.joined.number(*edge) for edge in side.edges]
+    def _numbers(self, edges: Iterable[Place]) -> list[int]:
+        return [self.joined.number(*edge) for edge in edges]
 
 
 def pairs_of(given, from_side: Side, to_side: Side) -> tuple[Pair, ...]:
@@ -95,6 +103,18 @@ def pairs_of(given, from_side: Side, to_side: Side) -> tuple[Pair, ...]:
 def named_pairs(pairs: Iterable[Pair], from_side: Side, to_side: Side) -> list[tuple[str, str]]:
     """The inverse."""
     return [(from_side.name_of(first, "Vertex"), to_side.name_of(second, "Vertex")) for first, second in pairs]
+
+
+def edges_of(curve: Iterable[Link]) -> list[Place]:
+    """The edges that links mean; an object without names means all of its. Raises ValueError where there is none, or
+    something else is named."""
+    places = []
+    for obj, names in curve:
+        numbers = subelements.only_edges(names) if names else range(1, len(Part.getShape(obj).Edges) + 1)
+        if not numbers:
+            raise ValueError(f"{obj.Label} has no edge to set the blend back to.")
+        places += [(obj, number) for number in numbers]
+    return places
 
 
 def side_links(given) -> list[Link]:

@@ -14,19 +14,24 @@ Place = tuple[App.DocumentObject, int]  # an edge, or a vertex, by its number in
 
 
 class JoinedShapes:
-    """One shape that holds the shapes of objects, in a container's coordinates; that of a lone object as it is."""
+    """One shape that holds the shapes of objects, in a container's coordinates; that of a lone object as it is.
 
-    def __init__(self, objects: Iterable[App.DocumentObject], container):
+    Of other objects it may hold single edges.
+    """
+
+    def __init__(self, objects: Iterable[App.DocumentObject], container, edges: Iterable[Place] = ()):
         self.objects = list(dict.fromkeys(objects))
-        shapes = {obj: shape_in(container, obj) for obj in self.objects}
-        for obj, shape in shapes.items():
+        single = [place for place in dict.fromkeys(edges) if place[0] not in self.objects]
+        self._shapes = {obj: shape_in(container, obj) for obj in self.objects + [obj for obj, _ in single]}
+        for obj, shape in self._shapes.items():
             if shape.isNull():
                 raise ValueError(f"{obj.Label} has no shape.")
-        self._shapes = shapes
-        self.is_joined = len(shapes) > 1
-        self.shape = Part.Compound(list(shapes.values())) if self.is_joined else shapes[self.objects[0]]
-        self._places = self._find_places("Edges") if self.is_joined else {}
-        self._numbers = {place: number for number, place in self._places.items()}
+        parts = [self._shapes[obj] for obj in self.objects] + [self._single(*place) for place in single]
+        self.is_joined = len(parts) > 1
+        self.shape = Part.Compound(parts) if self.is_joined else parts[0]
+        found = self._find_places("Edges") if self.is_joined else {}
+        self._places = {number: places[0] for number, places in found.items()}
+        self._numbers = {place: number for number, places in found.items() for place in places}
 
     def own_shape(self, obj: App.DocumentObject) -> Part.Shape:
         """That of one object, in the container's coordinates."""
@@ -37,15 +42,15 @@ class JoinedShapes:
         if not self.is_joined:
             return edge  # the native module checks it
         if (obj, edge) not in self._numbers:
-            raise ValueError(f"There is no edge {edge}: {obj.Label} has {len(self._shapes[obj].Edges)}.")
+            raise self._no_edge(obj, edge)
         return self._numbers[obj, edge]
 
     def vertex_number(self, obj: App.DocumentObject, vertex: int) -> int:
         """The same for a vertex."""
         if not self.is_joined:
             return vertex
-        for number, place in self._find_places("Vertexes").items():
-            if place == (obj, vertex):
+        for number, places in self._find_places("Vertexes").items():
+            if (obj, vertex) in places:
                 return number
         raise ValueError(f"There is no vertex {vertex}: {obj.Label} has {len(self._shapes[obj].Vertexes)}.")
 
@@ -56,7 +61,7 @@ class JoinedShapes:
     def name(self, number: int) -> str:
         """The name of an edge of the whole shape, with its object's in front where there are several."""
         obj, edge = self.place(number)
-        return f"{obj.Name}.Edge{edge}" if self.is_joined else f"Edge{edge}"
+        return f"{obj.Name}.Edge{edge}" if len(self.objects) > 1 else f"Edge{edge}"
 
     def faces_beside(self, number: int) -> list[int]:
         """The numbers, in their own object, of the faces that have an edge of the whole shape."""
@@ -65,11 +70,20 @@ class JoinedShapes:
         beside = shape.ancestorsOfType(shape.Edges[edge - 1], Part.Face)
         return [number for number, face in enumerate(shape.Faces, 1) if any(face.isSame(other) for other in beside)]
 
-    def _find_places(self, kind: str) -> dict[int, Place]:
-        """Whose the whole shape's "Edges", or "Vertexes", are."""
+    def _single(self, obj: App.DocumentObject, edge: int) -> Part.Shape:
+        edges = self._shapes[obj].Edges
+        if not 1 <= edge <= len(edges):
+            raise self._no_edge(obj, edge)
+        return edges[edge - 1]
+
+    def _no_edge(self, obj: App.DocumentObject, edge: int) -> ValueError:
+        return ValueError(f"There is no edge {edge}: {obj.Label} has {len(self._shapes[obj].Edges)}.")
+
+    def _find_places(self, kind: str) -> dict[int, list[Place]]:
+        """Whose the whole shape's "Edges", or "Vertexes", are: of several objects where these share them."""
         own: dict[int, list] = {}
         for obj, shape in self._shapes.items():
             for number, there in enumerate(getattr(shape, kind), 1):
                 own.setdefault(there.hashCode(), []).append((there, (obj, number)))
-        return {number: next(place for there, place in own[part.hashCode()] if there.isSame(part))
+        return {number: [place for there, place in own[part.hashCode()] if there.isSame(part)]
                 for number, part in enumerate(getattr(self.shape, kind), 1)}

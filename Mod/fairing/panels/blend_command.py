@@ -5,20 +5,22 @@ from __future__ import annotations
 
 from ..blend_request import BlendRequest
 from ..features import blend_properties as properties
-from ..features.blend_sides import Side, named_pairs
+from ..features.blend_sides import NO_CURVES, named_pairs
+from ..features.links import Link
 from .commands import link_command, object_command
 
 
 def blend_command(session) -> str:
     """Of a BlendSession: only what differs from the defaults, or from the object as it is."""
-    links = [_links_command(side) for side in session.sides]
+    links = [_links_command(side.links()) for side in session.sides]
     if session.obj is None:
         head, before = f"fairing.make_blend({', '.join(links)}", BlendRequest()
-        known, known_pairs = [{}, {}], []
+        known, known_pairs, known_curves = [{}, {}], [], NO_CURVES
     else:
         head, before = f"fairing.change_blend({object_command(session.obj)}", _request_of(session.obj)
         old = [properties.from_side(session.obj), properties.to_side(session.obj)]
-        moved = [link != _links_command(was) for link, was in zip(links, old)]
+        moved = [link != _links_command(was.links()) for link, was in zip(links, old)]
+        known_curves = properties.read_curves(session.obj)
         head += "".join(f", {name}={link}" for name, link, is_other in zip(("from_edges", "to_edges"), links, moved)
                         if is_other)
         known = [{} if is_other else was.named_wishes() for was, is_other in zip(old, moved)]
@@ -31,6 +33,8 @@ def blend_command(session) -> str:
     if pairs != known_pairs:
         changed["pairs"] = pairs
     changed.update((name, value) for name, value in session.choices().items() if value != getattr(before, name))
+    head += "".join(f", {name}={_links_command(curve)}" for name, curve, was in
+                    zip(("from_curve", "to_curve"), session.asked_curves, known_curves) if curve != was)
     return head + "".join(f", {name}={value!r}" for name, value in changed.items()) + ")"
 
 
@@ -38,6 +42,6 @@ def _request_of(obj) -> BlendRequest:
     return BlendRequest(**properties.read_choices(obj))
 
 
-def _links_command(side: Side) -> str:
-    commands = [link_command(link) for link in side.links()]
+def _links_command(links: list[Link]) -> str:
+    commands = [link_command(link) for link in links]
     return commands[0] if len(commands) == 1 else f"[{', '.join(commands)}]"

@@ -19,6 +19,7 @@ from .fill_choices import LimitChoices
 from .more_choices import MoreChoices
 from .pair_list import PairList
 from .reach_rows import ReachRows
+from .setback_curves import SetbackCurves
 from .side_tables import SideTables
 from .status import Status
 
@@ -54,7 +55,8 @@ class BlendPanel(EdgePanel):
         self._display.on_reach = self._drag
         self._more = MoreChoices(self._ui, self._session)
         self._pairs = PairList(self._ui, self._session)
-        for part in (self._more, self._pairs):
+        self._curves = SetbackCurves(self._ui, self._session)
+        for part in (self._more, self._pairs, self._curves):
             part.changed.connect(self._refresh)
         self._settled = QtCore.QTimer(self._ui)
         self._settled.setSingleShot(True)
@@ -66,11 +68,14 @@ class BlendPanel(EdgePanel):
 
     @property
     def _takes_points(self) -> bool:
-        return self._pairs.is_picking
+        return self._pairs.is_picking or self._curves.is_picking
 
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
         if self._pairs.is_picking:
             self._pairs.picked(obj, name)
+            return
+        if self._curves.is_picking:
+            self._curves.picked(obj, name)
             return
         if not subelements.is_edge(name):
             selection.tell(translate("Fairing", "Pick an edge: a blend starts from edges and ends at edges."))
@@ -140,6 +145,7 @@ class BlendPanel(EdgePanel):
         self._reaches.set_visible(session.is_strip)
         self._more.show_sides()
         self._pairs.show()
+        self._curves.show()
         self._show_picks(any(session.sides))
         self._point_at(self._pointed)
         self._show_unsolved("")

@@ -12,6 +12,7 @@ from .. import exchange, subelements
 from ..blend_request import BlendRequest
 from ..features import blend_properties as properties
 from ..features.blend_sides import NO_SIDE, BlendSides, Pair, Side
+from ..features.links import Link, links_of
 from ..features.placement import container_for_results, container_of, placement_of
 from .blend_chains import BlendChains
 from .blend_command import blend_command
@@ -34,6 +35,7 @@ class BlendSession:
         self.document, self.request, self.obj = document, request, obj
         self.sides: list[Optional[Side]] = list(sides)
         self.pairs: tuple[Pair, ...] = ()
+        self.curves: list[list[Link]] = [[], []]  # what either side is set back to
         self.loops: list[list[dict]] = [[], []]
         self.problem = NO_SIDE
         self._chains: Optional[BlendChains] = None
@@ -45,6 +47,7 @@ class BlendSession:
         sides = (properties.from_side(obj), properties.to_side(obj))
         session = cls(obj.Document, BlendRequest(**properties.read_choices(obj)), sides, obj)
         session.pairs = properties.read_pairs(obj)
+        session.curves = list(properties.read_curves(obj))
         return session
 
     @property
@@ -97,6 +100,10 @@ class BlendSession:
         """Which side's edges a vertex ends, None for neither."""
         return self._chains.side_of_vertex(self.loops, base, subelements.vertex_number(name)) if self._chains else None
 
+    def set_curve(self, position: int, links: list[Link]) -> None:
+        """What a side is set back to, [(object, [names])]: the whole object where there are no names."""
+        self.curves[position] = links_of(links)
+
     def change(self, **changes: Any) -> None:
         """Other choices, by the names of BlendRequest."""
         self.request = dataclasses.replace(self.request, **changes)
@@ -125,7 +132,7 @@ class BlendSession:
             objects = {obj for side in present for obj in side.objects}
             self.pairs = tuple(pair for pair in self.pairs if objects.issuperset(obj for obj, _ in pair))
             pairs = self.pairs if len(present) == 2 else ()
-            self._chains = BlendChains(BlendSides(present[0], present[-1], self.container, pairs))
+            self._chains = BlendChains(BlendSides(present[0], present[-1], self.container, pairs, tuple(self.curves)))
             self.loops = self._chains.rows(self.sides, self.request.continuity)
         except ValueError as error:
             self.problem = str(error)
@@ -134,7 +141,8 @@ class BlendSession:
 
     def job(self):
         """What a background thread computes: the native Blend and its mesh. Touches plain data only."""
-        request, brep = self._chains.sides.request(**self.choices()), self._chains.brep
+        idle = {} if self.is_strip else {"from_curve": (), "to_curve": ()}
+        request, brep = self._chains.sides.request(**self.choices(), **idle), self._chains.brep
 
         def solve(progress):
             blend = request.solve(brep, progress)
@@ -189,6 +197,11 @@ class BlendSession:
     @property
     def is_closed(self) -> bool:
         return self.is_strip and self._chains is not None and self._chains.is_closed
+
+    @property
+    def asked_curves(self) -> list[list[Link]]:
+        """The curves, as choices() has the choices."""
+        return self.curves if self.is_strip else [[], []]
 
     def choices(self) -> dict:
         """What is asked: of what is chosen that which makes sense with the sides as they are."""

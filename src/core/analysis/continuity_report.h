@@ -88,6 +88,8 @@ enum class NoteCode {
   CutsItself,        ///< where, value = extent in mm
   CutsFace,          ///< face, where, value = extent in mm: a blend cuts a face it joins
   BasesOverlap,      ///< where, value = extent in mm: the bases of a blend cut each other
+  SetbackOffFace,  ///< edge, face, where, value = mm: a curve to set back to was laid onto the face
+  SetbackExtended,  ///< edge, face, where, value = mm: it was extended to the face's border
 };
 struct Note {
   NoteCode code = NoteCode::EdgeAbsorbed;

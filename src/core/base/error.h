@@ -61,6 +61,12 @@ enum class ErrorCode {
   SetbackNegative,        ///< value = the setback given
   SetbackWithoutFace,     ///< edge: to be set back, but no face lies beside it
   SetbackTooLarge,        ///< edge, face, value = mm: how far the face lets it go back
+  SetbackTwice,           ///< detail = "from" or "to": a distance and a curve for one side
+  SetbackCurveBroken,     ///< edge, where: does not go on from the other edges of its curve
+  SetbackCurveUnlike,     ///< edge of the curve; detail = "closed" or "open" as the side is, not it
+  SetbackCurveOff,        ///< edge of the curve, face, where, value = mm: too far off the face
+  SetbackCurveShort,      ///< edge of the curve, face, where, value = mm from its end to the border
+  SetbackCurveBeside,     ///< edge, face: the curve does not cut this edge off its face
   CornersDiffer,          ///< edge, value: corners of the first side of a blend, and of the other
   PairOffChain,         ///< edge = vertex number, where: a pair's vertex joins no edges of its side
   PairsCross,           ///< where, detail = "3=7": the pair is out of order with the others

@@ -50,6 +50,9 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
       case ErrorCode::LoopCrossesItself:
       case ErrorCode::DirectionAlongEdge:
       case ErrorCode::EdgeOffPlane:
+      case ErrorCode::SetbackCurveBroken:
+      case ErrorCode::SetbackCurveOff:
+      case ErrorCode::SetbackCurveShort:
         EXPECT_THAT(sentence(error), HasSubstr("dge 17"));
         EXPECT_THAT(sentence(error), HasSubstr("(1.5, -2, 0)"));
         break;
@@ -58,6 +61,8 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
       case ErrorCode::EdgeWithManyFaces:
       case ErrorCode::EdgeWithoutFace:
       case ErrorCode::SeveralLoops:
+      case ErrorCode::SetbackCurveUnlike:
+      case ErrorCode::SetbackCurveBeside:
         EXPECT_THAT(sentence(error), HasSubstr("dge 17"));
         break;
       default:

@@ -184,7 +184,9 @@ TEST(Notes, AreOneSentenceEachOfTheirOwn) {
                               NoteCode::StripFolds,
                               NoteCode::CutsItself,
                               NoteCode::CutsFace,
-                              NoteCode::BasesOverlap}) {
+                              NoteCode::BasesOverlap,
+                              NoteCode::SetbackOffFace,
+                              NoteCode::SetbackExtended}) {
     const std::string text = sentence(analysis::Note{code, 17, {1.5, -2.0, 0.0}, 3.0});
     EXPECT_THAT(text, ::testing::EndsWith("."));
     EXPECT_TRUE(all.insert(text).second) << text;
