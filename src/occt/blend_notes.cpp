@@ -137,7 +137,7 @@ void addOverlap(const ShapeIndex& index,
   const auto pointOf = [&](std::size_t side) {
     return pair.sides.sides[side].ribbon.curve(0.5).point;
   };
-  const Vector3d a = pointOf(0), b = pointOf(pair.firstCount);
+  const Vector3d a = pointOf(0), b = pointOf(pair.secondStart());
   if (isInside(index, second, a))
     addNote(notes, NoteCode::BasesOverlap, {a});
   else if (isInside(index, first, b))
@@ -156,7 +156,7 @@ std::vector<Note> blendNotes(const ShapeIndex& index,
   const TriangleTree strip(analysis::meshOf(patches));
   addNote(notes, NoteCode::CutsItself, strip.ownCrossings());
   const auto first = facesBeside(pair, 0, pair.firstCount);
-  const auto second = facesBeside(pair, pair.firstCount, pair.sides.sides.size());
+  const auto second = facesBeside(pair, pair.secondStart(), pair.secondEnd());
   std::set<int> all = first;
   all.insert(second.begin(), second.end());
   std::vector<std::pair<int, TriangleTree>> trees;

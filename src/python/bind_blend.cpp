@@ -39,6 +39,8 @@ ShapeBlend blend(const ShapeIndex& shape,
                  const std::string& match,
                  double alignment,
                  std::vector<std::pair<int, int>> pairs,
+                 std::vector<int> ends,
+                 std::vector<int> endFaces,
                  const std::string& energy,
                  std::optional<double> tolerance,
                  double angle,
@@ -53,7 +55,9 @@ ShapeBlend blend(const ShapeIndex& shape,
                                .setback = {fromSetback, toSetback},
                                .match = choice(text::matchFrom, "match", match),
                                .alignment = alignment,
-                               .pairs = std::move(pairs)};
+                               .pairs = std::move(pairs),
+                               .ends = std::move(ends),
+                               .endFaces = std::move(endFaces)};
   const BlendOptions options{optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles),
                              {{fromReach, toReach}, {fromReachEnd, toReachEnd}},
                              {choice(text::departureFrom, "from_departure", fromDeparture),
@@ -69,9 +73,15 @@ std::vector<std::vector<int>> chains(const ShapeIndex& shape, const std::vector<
 }
 
 py::tuple wholeChain(const ShapeIndex& shape,
-                     const std::vector<int>& edges,
-                     const std::vector<int>& others) {
-  const auto chain = valueOf(occt::wholeChain(shape, edges, others));
+                     std::vector<int> edges,
+                     std::vector<int> others,
+                     std::vector<int> ends,
+                     std::vector<int> endFaces) {
+  const auto chain = valueOf(occt::wholeChain(shape,
+                                              {.from = std::move(edges),
+                                               .to = std::move(others),
+                                               .ends = std::move(ends),
+                                               .endFaces = std::move(endFaces)}));
   return py::make_tuple(chain.edges, chain.closed);
 }
 
@@ -125,8 +135,11 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
            &wholeChain,
            py::arg("edges"),
            py::arg("others") = std::vector<int>{},
+           py::arg("ends") = std::vector<int>{},
+           py::arg("end_faces") = std::vector<int>{},
            "The picked edges of one side of a blend in order, with those that continue them "
-           "smoothly up to the other side's, and whether they close. Raises FairingError where "
+           "smoothly up to the other side's and the ends', and whether they close. Raises "
+           "FairingError where "
            "they make no chain.")
       .def(
           "blend",
@@ -148,6 +161,8 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           py::arg("match") = std::string(text::word(boundary::MatchKind::Auto)),
           py::arg("alignment") = 0.0,
           py::arg("pairs") = std::vector<std::pair<int, int>>{},
+          py::arg("ends") = std::vector<int>{},
+          py::arg("end_faces") = std::vector<int>{},
           py::arg("energy") = std::string(text::word(FillOptions{}.energy)),
           py::arg("tolerance") = py::none(),
           py::arg("angle") = Tolerance{}.angle,
@@ -169,7 +184,9 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           "match is auto, length or corners: corners belong to corners "
           "where both sides have as many, points at equal shares of the lengths elsewhere. "
           "alignment, -0.5 to 0.5, turns closed sides against each other, by a share of the second "
-          "one's length; pairs holds vertices of both sides that belong together. tolerance is "
+          "one's length; pairs holds vertices of both sides that belong together. ends holds edges "
+          "that join the ends of open sides, end_faces faces that the ends follow: along the edges "
+          "of their border, or sliding on them. tolerance is "
           "in mm (None: a millionth of the diagonal of both chains), angle in degrees, degree 3 "
           "to 9 (0: chosen from the edges). The GIL is released while solving. Raises "
           "FairingError.");

@@ -10,7 +10,7 @@ import FreeCAD as App
 from .. import exchange
 from ..blend_request import BlendRequest
 from . import blend_properties as properties
-from .blend_sides import BlendSides, Side, pairs_of
+from .blend_sides import BlendSides, Side, pairs_of, side_links
 from .placement import container_for_results, container_of
 from .solved_feature import SolvedFeature
 
@@ -27,7 +27,7 @@ class BlendFeature(SolvedFeature):
 
 
 def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Optional[Mapping[Any, str]] = None,
-               to_continuity: Optional[Mapping[Any, str]] = None, pairs=(), **options) -> App.DocumentObject:
+               to_continuity: Optional[Mapping[Any, str]] = None, pairs=(), ends=(), **options) -> App.DocumentObject:
     """Makes a surface that joins chains of free edges, beside the first one's object in the document, computed.
 
     from_edges       (object, ["Edge3"]): one edge of a smooth chain is enough
@@ -36,13 +36,14 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
     from_continuity  edges of the first side that differ from `continuity`, {"Edge3": "G0"}
     to_continuity    edges of the other side that differ, {"Pipe.Edge3": "G0"} where it has several objects
     pairs            vertices of both sides that belong together, [("Vertex3", "Vertex7")]
+    ends             what the ends of a blend between open sides follow, a list of (object, ["Edge3", "Face2"])
     options          those of fairing.blend()
     Raises FairingError (or NativeModuleError) with one sentence, and then the document is as it was.
     """
     first, second = Side.of(from_edges, from_continuity), Side.of(to_edges, to_continuity)
     beside = first.objects[0]
     container = container_for_results(beside)
-    sides = BlendSides(first, second, container, pairs_of(pairs, first, second))
+    sides = BlendSides(first, second, container, pairs_of(pairs, first, second), side_links(ends))
     request = sides.request(**options)
     solve(request, sides)
     obj = beside.Document.addObject("Part::FeaturePython", name)
@@ -60,7 +61,8 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
 
 def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
                  from_continuity: Optional[Mapping[Any, str]] = None,
-                 to_continuity: Optional[Mapping[Any, str]] = None, pairs=None, **changes) -> App.DocumentObject:
+                 to_continuity: Optional[Mapping[Any, str]] = None, pairs=None, ends=None,
+                 **changes) -> App.DocumentObject:
     """Changes some choices of a blend (those of make_blend) and computes it again; the others stay as they are.
 
     A side that moves to other edges forgets which of its edges differed in continuity, and the pairs. Raises FairingError with one
@@ -72,7 +74,7 @@ def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
         pairs = pairs_of(pairs, first, second)
     elif from_edges is None and to_edges is None:
         pairs = properties.read_pairs(obj)
-    sides = BlendSides(first, second, container_of(obj), pairs or ())
+    sides = BlendSides(first, second, container_of(obj), pairs or (), obj.Ends if ends is None else side_links(ends))
     request = sides.request(**{**properties.read_choices(obj), **changes})
     solve(request, sides)
     properties.write_request(obj, request, sides)

@@ -49,6 +49,8 @@ ASKED = (
      "0.5"),
     ("Pairs", "App::PropertyStringList", "Shape",
      "Vertices of both sides that belong together, one pair a line: Vertex3=Vertex7"),
+    ("Ends", "App::PropertyLinkSubListGlobal", "Boundary",
+     "Edges, and faces by their borders or as walls, that the ends of a blend between open sides follow"),
     ("GapTolerance", "App::PropertyLength", "Boundary",
      "Largest distance of an edge from the surface; 0: a millionth of the diagonal of both chains"),
     *choice_properties.chosen("Continuity", "AngleTolerance", "Energy", "Degree", "MaxPoles"),
@@ -81,6 +83,7 @@ def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSi
     obj.FromEdges, obj.ToEdges = sides.from_side.links(), sides.to_side.links()
     obj.FromContinuity, obj.ToContinuity = sides.from_side.lines(), sides.to_side.lines()
     obj.Pairs = ["=".join(pair) for pair in named_pairs(sides.pairs, sides.from_side, sides.to_side)]
+    obj.Ends = sides.ends
     for member, name in NAMES.items():
         setattr(obj, name, getattr(request, member) or 0)
 
@@ -101,7 +104,7 @@ def to_side(obj: App.DocumentObject) -> Side:
 
 def read_sides(obj: App.DocumentObject) -> BlendSides:
     """What an object's blend joins, in the coordinates it lives in. Raises ValueError with one sentence."""
-    return BlendSides(from_side(obj), to_side(obj), container_of(obj), read_pairs(obj))
+    return BlendSides(from_side(obj), to_side(obj), container_of(obj), read_pairs(obj), obj.Ends)
 
 
 def read_choices(obj: App.DocumentObject) -> dict:
@@ -115,7 +118,7 @@ def write_report(obj: App.DocumentObject, blend) -> None:
     """Stores what was measured; edges by their names in the objects they belong to."""
     fill_properties.write_measured(obj, blend)
     sides = read_sides(obj)
-    obj.ReportEdges = [sides.joined.name(side["edge"]) for side in blend.report["sides"]]
+    obj.ReportEdges = [sides.name_of(side) for side in blend.report["sides"]]
 
 
 def _wishes(obj: App.DocumentObject, name: str) -> dict[str, str]:

@@ -66,18 +66,36 @@ Pair = tuple[Place, Place]  # vertices, one of either side, that belong together
 
 
 class BlendSides:
-    """Both sides, and the shape that holds the objects of both, in a container's coordinates."""
+    """Both sides, what the ends follow, and the shape that holds the objects of all, in a container's coordinates."""
 
-    def __init__(self, from_side: Side, to_side: Side, container, pairs: Iterable[Pair] = ()):
-        self.from_side, self.to_side, self.pairs = from_side, to_side, tuple(pairs)
-        self.joined = JoinedShapes(from_side.objects + to_side.objects, container)
+    def __init__(self, from_side: Side, to_side: Side, container, pairs: Iterable[Pair] = (),
+                 ends: Iterable[Link] = ()):
+        self.from_side, self.to_side, self.pairs, self.ends = from_side, to_side, tuple(pairs), links_of(ends)
+        self.joined = JoinedShapes(from_side.objects + to_side.objects + [obj for obj, _ in self.ends], container)
 
     def request(self, **choices) -> BlendRequest:
         """What is asked of the whole shape. Raises ValueError where an object has no edge of that number."""
         wishes = {self.joined.number(*edge): word for side in (self.from_side, self.to_side)
                   for edge, word in side.wishes.items()}
         pairs = [tuple(self.joined.vertex_number(*place) for place in pair) for pair in self.pairs]
-        return BlendRequest.of(self._numbers(self.from_side), self._numbers(self.to_side), wishes, pairs, **choices)
+        return BlendRequest.of(self._numbers(self.from_side), self._numbers(self.to_side), wishes, pairs,
+                               *self.end_numbers(), **choices)
+
+    def end_numbers(self) -> tuple[list[int], list[int]]:
+        """The edges and the faces of the whole shape that the ends follow. Raises ValueError where there is none of
+        that number, or something else is named."""
+        edges, faces = [], []
+        for obj, names in self.ends:
+            for name in names:
+                if subelements.is_face(name):
+                    faces.append(self.joined.face_number(obj, subelements.only_faces(name)[0]))
+                else:
+                    edges.append(self.joined.number(obj, subelements.only_edges(name)[0]))
+        return edges, faces
+
+    def name_of(self, side: dict) -> str:
+        """What a side of a report runs along: an edge, or the face it slides on."""
+        return self.joined.name(side["edge"]) if side["edge"] else self.joined.face_name(side["face"])
 
     def _numbers(self, side: Side) -> list[int]:
         return [self.joined.number(*edge) for edge in side.edges]

@@ -44,10 +44,13 @@ class JoinedShapes:
         """The same for a vertex."""
         if not self.is_joined:
             return vertex
-        for number, place in self._find_places("Vertexes").items():
-            if place == (obj, vertex):
-                return number
-        raise ValueError(f"There is no vertex {vertex}: {obj.Label} has {len(self._shapes[obj].Vertexes)}.")
+        return self._number_of("Vertexes", "vertex", (obj, vertex))
+
+    def face_number(self, obj: App.DocumentObject, face: int) -> int:
+        """The same for a face."""
+        if not self.is_joined:
+            return face
+        return self._number_of("Faces", "face", (obj, face))
 
     def place(self, number: int) -> Place:
         """The object that an edge of the whole shape belongs to, and the edge's number there."""
@@ -58,6 +61,11 @@ class JoinedShapes:
         obj, edge = self.place(number)
         return f"{obj.Name}.Edge{edge}" if self.is_joined else f"Edge{edge}"
 
+    def face_name(self, number: int) -> str:
+        """The same for a face."""
+        obj, face = self._find_places("Faces")[number] if self.is_joined else (self.objects[0], number)
+        return f"{obj.Name}.Face{face}" if self.is_joined else f"Face{face}"
+
     def faces_beside(self, number: int) -> list[int]:
         """The numbers, in their own object, of the faces that have an edge of the whole shape."""
         obj, edge = self.place(number)
@@ -65,8 +73,15 @@ class JoinedShapes:
         beside = shape.ancestorsOfType(shape.Edges[edge - 1], Part.Face)
         return [number for number, face in enumerate(shape.Faces, 1) if any(face.isSame(other) for other in beside)]
 
+    def _number_of(self, kind: str, word: str, place: Place) -> int:
+        for number, found in self._find_places(kind).items():
+            if found == place:
+                return number
+        obj, own = place
+        raise ValueError(f"There is no {word} {own}: {obj.Label} has {len(getattr(self._shapes[obj], kind))}.")
+
     def _find_places(self, kind: str) -> dict[int, Place]:
-        """Whose the whole shape's "Edges", or "Vertexes", are."""
+        """Whose the whole shape's "Edges", "Vertexes" or "Faces" are."""
         own: dict[int, list] = {}
         for obj, shape in self._shapes.items():
             for number, there in enumerate(getattr(shape, kind), 1):

@@ -6,6 +6,7 @@ from __future__ import annotations
 from ..blend_request import BlendRequest
 from ..features import blend_properties as properties
 from ..features.blend_sides import Side, named_pairs
+from ..features.links import links_of
 from .commands import link_command, object_command
 
 
@@ -14,7 +15,7 @@ def blend_command(session) -> str:
     links = [_links_command(side) for side in session.sides]
     if session.obj is None:
         head, before = f"fairing.make_blend({', '.join(links)}", BlendRequest()
-        known, known_pairs = [{}, {}], []
+        known, known_pairs, known_ends = [{}, {}], [], []
     else:
         head, before = f"fairing.change_blend({object_command(session.obj)}", _request_of(session.obj)
         old = [properties.from_side(session.obj), properties.to_side(session.obj)]
@@ -22,6 +23,7 @@ def blend_command(session) -> str:
         head += "".join(f", {name}={link}" for name, link, is_other in zip(("from_edges", "to_edges"), links, moved)
                         if is_other)
         known = [{} if is_other else was.named_wishes() for was, is_other in zip(old, moved)]
+        known_ends = links_of(session.obj.Ends)
         known_pairs = [] if any(moved) else named_pairs(properties.read_pairs(session.obj), *old)
     changed = {}
     for name, side, was in zip(("from_continuity", "to_continuity"), session.sides, known):
@@ -31,6 +33,8 @@ def blend_command(session) -> str:
     if pairs != known_pairs:
         changed["pairs"] = pairs
     changed.update((name, value) for name, value in session.choices().items() if value != getattr(before, name))
+    if session.asked_ends != known_ends:
+        head += f", ends=[{', '.join(map(link_command, session.asked_ends))}]"
     return head + "".join(f", {name}={value!r}" for name, value in changed.items()) + ")"
 
 

@@ -15,6 +15,7 @@ from ..translation import translate
 from .blend_display import BlendDisplay
 from .blend_session import CHOICES, FROM, TO, BlendSession
 from .edge_panel import EdgePanel
+from .ends_list import EndsList
 from .fill_choices import LimitChoices
 from .more_choices import MoreChoices
 from .pair_list import PairList
@@ -54,7 +55,8 @@ class BlendPanel(EdgePanel):
         self._display.on_reach = self._drag
         self._more = MoreChoices(self._ui, self._session)
         self._pairs = PairList(self._ui, self._session)
-        for part in (self._more, self._pairs):
+        self._ends = EndsList(self._ui, self._session)
+        for part in (self._more, self._pairs, self._ends):
             part.changed.connect(self._refresh)
         self._settled = QtCore.QTimer(self._ui)
         self._settled.setSingleShot(True)
@@ -71,6 +73,9 @@ class BlendPanel(EdgePanel):
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
         if self._pairs.is_picking:
             self._pairs.picked(obj, name)
+            return
+        if self._ends.is_picking:
+            self._ends.picked(obj, name)
             return
         if not subelements.is_edge(name):
             selection.tell(translate("Fairing", "Pick an edge: a blend starts from edges and ends at edges."))
@@ -128,6 +133,10 @@ class BlendPanel(EdgePanel):
         self._session.keep(value[0])
         return super()._show_result(value)
 
+    def _show_report(self, report: dict) -> None:
+        super()._show_report(report)
+        self._ends.show(report)
+
     def _refresh(self, *_) -> None:
         """Something changed: show the sides, and have the surface computed."""
         session = self._session
@@ -140,6 +149,7 @@ class BlendPanel(EdgePanel):
         self._reaches.set_visible(session.is_strip)
         self._more.show_sides()
         self._pairs.show()
+        self._ends.show()
         self._show_picks(any(session.sides))
         self._point_at(self._pointed)
         self._show_unsolved("")

@@ -12,6 +12,7 @@ from .. import exchange, subelements
 from ..blend_request import BlendRequest
 from ..features import blend_properties as properties
 from ..features.blend_sides import NO_SIDE, BlendSides, Pair, Side
+from ..features.links import Link, links_of
 from ..features.placement import container_for_results, container_of, placement_of
 from .blend_chains import BlendChains
 from .blend_command import blend_command
@@ -34,6 +35,7 @@ class BlendSession:
         self.document, self.request, self.obj = document, request, obj
         self.sides: list[Optional[Side]] = list(sides)
         self.pairs: tuple[Pair, ...] = ()
+        self.ends: list[Link] = []  # what the ends follow
         self.loops: list[list[dict]] = [[], []]
         self.problem = NO_SIDE
         self._chains: Optional[BlendChains] = None
@@ -44,7 +46,7 @@ class BlendSession:
         """To edit a blend. Raises ValueError where its properties make no sense."""
         sides = (properties.from_side(obj), properties.to_side(obj))
         session = cls(obj.Document, BlendRequest(**properties.read_choices(obj)), sides, obj)
-        session.pairs = properties.read_pairs(obj)
+        session.pairs, session.ends = properties.read_pairs(obj), links_of(obj.Ends)
         return session
 
     @property
@@ -90,8 +92,17 @@ class BlendSession:
         """Whether an edge of the whole shape was picked, and not found by itself."""
         return any(row["edge"] == number and not row["found"] for row in self.loop)
 
+    def measured_end(self, base: App.DocumentObject, name: str, report: dict) -> Optional[dict]:
+        """The side of a report that runs along an edge, or on a face, that an end follows."""
+        joined, of_sides = self._chains.sides.joined, {row["edge"] for row in self.loop}
+        if subelements.is_face(name):
+            kind, number = "face", joined.face_number(base, subelements.only_faces(name)[0])
+        else:
+            kind, number = "edge", joined.number(base, subelements.only_edges(name)[0])
+        return next((side for side in report["sides"] if side[kind] == number and side["edge"] not in of_sides), None)
+
     def clear(self) -> None:
-        self.sides = [None, None]
+        self.sides, self.ends = [None, None], []
 
     def side_of_vertex(self, base: App.DocumentObject, name: str) -> Optional[int]:
         """Which side's edges a vertex ends, None for neither."""
@@ -125,8 +136,10 @@ class BlendSession:
             objects = {obj for side in present for obj in side.objects}
             self.pairs = tuple(pair for pair in self.pairs if objects.issuperset(obj for obj, _ in pair))
             pairs = self.pairs if len(present) == 2 else ()
-            self._chains = BlendChains(BlendSides(present[0], present[-1], self.container, pairs))
+            ends = self.ends if len(present) == 2 else ()
+            self._chains = BlendChains(BlendSides(present[0], present[-1], self.container, pairs, ends))
             self.loops = self._chains.rows(self.sides, self.request.continuity)
+            self._chains.sides.ends = self.asked_ends
         except ValueError as error:
             self.problem = str(error)
             return
@@ -185,6 +198,11 @@ class BlendSession:
     def is_strip(self) -> bool:
         """Whether there are two sides of one chain each, and not a junction."""
         return None not in self.sides and not (self._chains and self._chains.is_junction)
+
+    @property
+    def asked_ends(self) -> list[Link]:
+        """What the ends follow: a junction has none."""
+        return self.ends if self.is_strip else []
 
     @property
     def is_closed(self) -> bool:

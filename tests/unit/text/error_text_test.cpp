@@ -50,6 +50,11 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
       case ErrorCode::LoopCrossesItself:
       case ErrorCode::DirectionAlongEdge:
       case ErrorCode::EdgeOffPlane:
+      case ErrorCode::EndJoinsNothing:
+      case ErrorCode::EndTwice:
+      case ErrorCode::EndTurns:
+      case ErrorCode::EndAlongSide:
+      case ErrorCode::EndAgainstSide:
         EXPECT_THAT(sentence(error), HasSubstr("dge 17"));
         EXPECT_THAT(sentence(error), HasSubstr("(1.5, -2, 0)"));
         break;
@@ -58,6 +63,8 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
       case ErrorCode::EdgeWithManyFaces:
       case ErrorCode::EdgeWithoutFace:
       case ErrorCode::SeveralLoops:
+      case ErrorCode::EndsUnused:
+      case ErrorCode::EndOnSide:
         EXPECT_THAT(sentence(error), HasSubstr("dge 17"));
         break;
       default:
