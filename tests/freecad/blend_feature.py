@@ -273,7 +273,7 @@ def its_ends_follow_edges_and_faces_of_other_objects():
     curve = Part.BezierCurve()
     curve.setPoles([App.Vector(*pole) for pole in ((0, 10, 0), (0, 14, 0), (0, 16, 8), (0, 20, 8))])
     curve = object_of(document, "Curve", curve.toShape())
-    wall = object_of(document, "Wall", Part.makePlane(60, 60, App.Vector(20, -10, -20), App.Vector(1, 0, 0)))
+    wall = object_of(document, "Wall", Part.makePlane(60, 60, App.Vector(20, 50, -20), App.Vector(1, 0, 0)))
     blend = fairing.make_blend((base, names[0]), (base, names[1]), ends=[(curve, ["Edge1"]), (wall, ["Face1"])])
     assert blend.isValid() and blend.WithinTolerance, blend.Verdict
     assert blend.Ends == [(curve, ("Edge1",)), (wall, ("Face1",))], blend.Ends

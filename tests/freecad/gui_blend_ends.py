@@ -33,7 +33,7 @@ high = part(document, "High", Part.makePlane(20, 10, App.Vector(0, 20, 8)))
 curve = Part.BezierCurve()
 curve.setPoles([App.Vector(*pole) for pole in ((0, 10, 0), (0, 14, 0), (0, 16, 8), (0, 20, 8))])
 curve = part(document, "Curve", curve.toShape())
-wall = part(document, "Wall", Part.makePlane(30, 30, App.Vector(20, 0, -10), App.Vector(1, 0, 0)))
+wall = part(document, "Wall", Part.makePlane(30, 30, App.Vector(20, 30, -10), App.Vector(1, 0, 0)))
 document.recompute()
 gui.look_at_all()
 

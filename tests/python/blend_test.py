@@ -269,7 +269,7 @@ def ended():
     """The planes, a curve from end to end on the left, a wall (face 3) on the right; numbers of sides and curve."""
     curve = Part.BezierCurve()
     curve.setPoles([App.Vector(*pole) for pole in ((0, 10, 0), (0, 14, 0), (0, 16, 8), (0, 20, 8))])
-    wall = Part.makePlane(60, 60, App.Vector(20, -10, -20), App.Vector(1, 0, 0))
+    wall = Part.makePlane(60, 60, App.Vector(20, 50, -20), App.Vector(1, 0, 0))
     shape = Part.Compound([Part.makePlane(20, 10), Part.makePlane(20, 10, App.Vector(0, 20, 8)), wall, curve.toShape()])
     return shape, edge_at(shape, (10, 10, 0)), edge_at(shape, (10, 20, 8)), edge_at(shape, (0, 15, 4))
 

@@ -303,7 +303,7 @@ def planes_with_ends(tmp_path_factory):
     ends; the numbers of the edges that face each other and that of the curve."""
     curve = Part.BezierCurve()
     curve.setPoles([Vector(0, 10, 0), Vector(0, 14, 0), Vector(0, 16, 8), Vector(0, 20, 8)])
-    wall = Part.makePlane(60, 60, Vector(20, -10, -20), Vector(1, 0, 0))
+    wall = Part.makePlane(60, 60, Vector(20, 50, -20), Vector(1, 0, 0))
     shape = Part.Compound([Part.makePlane(20, 10), Part.makePlane(20, 10, Vector(0, 20, 8)), wall, curve.toShape()])
     path = tmp_path_factory.mktemp("ends") / "planes.brep"
     shape.exportBrep(str(path))
