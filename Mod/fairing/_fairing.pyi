@@ -129,7 +129,13 @@ class Shape:
         progress: Optional[Progress] = None,
     ) -> FillAll: ...
     def chains(self, edges: Sequence[int]) -> list[list[int]]: ...
-    def whole_chain(self, edges: Sequence[int], others: Sequence[int] = []) -> tuple[list[int], bool]: ...
+    def whole_chain(
+        self,
+        edges: Sequence[int],
+        others: Sequence[int] = [],
+        ends: Sequence[int] = [],
+        end_faces: Sequence[int] = [],
+    ) -> tuple[list[int], bool]: ...
     def blend(
         self,
         from_edges: Sequence[int],
@@ -151,6 +157,10 @@ class Shape:
         match: str = "auto",
         alignment: float = 0.0,
         pairs: Sequence[tuple[int, int]] = [],
+        ends: Sequence[int] = [],
+        end_faces: Sequence[int] = [],
+        ring: bool = False,
+        cuts: Sequence[int] = [],
         energy: str = "mean-curvature-gradient",
         tolerance: Optional[float] = None,
         angle: float = 0.02,

@@ -57,6 +57,8 @@ def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
 
 def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: Iterable[subelements.Pick], *,
           continuity: str = "G1", edge_continuity: Optional[Mapping[Any, str]] = None, pairs: Iterable[Any] = (),
+          ends: Iterable[subelements.Pick] = (), end_faces: Iterable[subelements.Pick] = (), ring: bool = False,
+          cuts: Iterable[subelements.Pick] = (),
           **options) -> tuple[Part.Shape, dict]:
     """Joins two chains of free edges of a shape by one strip. Returns the new face and the report on it.
 
@@ -65,6 +67,11 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
     continuity       "G2" meets the faces beside the edges in curvature, "G1" tangentially, "G0" only touches them
     edge_continuity  edges that differ, {"Edge7": "G0"}
     pairs            vertices of both sides that belong together, [("Vertex3", "Vertex7")]
+    ends             edges that join the ends of open sides: the strip meets them as it does its sides
+    end_faces        faces its ends follow, "Face3" or 3: along the edges of their border, else sliding on them
+    ring             whether the chains of to_edges are open ones that come to a vertex with that of from_edges, with
+                     gaps between them; three and more closed chains make a junction anyway
+    cuts             edges from rim to rim whose ends are those of the cuts of a junction
     options          of either side, with from_ or to_ in front: reach (above 0: how far the strip goes on before it
                      turns away, 1 = what the energy likes best), reach_end (where it differs at the end of an open
                      side), departure ("free", "perpendicular" or "iso"), flip, setback (mm), curve (edges that make a
@@ -73,7 +80,8 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
                      "shell" or "base"): see blend_request.BlendRequest
     Raises FairingError with one sentence where that cannot be done.
     """
-    request = BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, continuity=continuity, **options)
+    request = BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, ends=ends, end_faces=end_faces, ring=ring,
+                              cuts=cuts, continuity=continuity, **options)
     done = request.solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
 

@@ -35,6 +35,10 @@ class BlendRequest:
     match: str = MATCHES[0]  # which points of the sides belong together
     alignment: float = 0.0  # -0.5 to 0.5, turns closed sides against each other
     pairs: tuple[tuple[int, int], ...] = ()  # vertices of both sides that belong together
+    ends: tuple[int, ...] = ()  # edges that join the ends of open sides
+    end_faces: tuple[int, ...] = ()  # faces that these ends follow
+    ring: bool = False  # the chains of to_edges are open and come to a vertex with that of from_edges
+    cuts: tuple[int, ...] = ()  # edges from rim to rim that show where a junction is cut
     energy: str = Choices.energy
     gap_tolerance: Optional[float] = None  # mm; None: a millionth of the diagonal of both chains
     angle_tolerance: float = Choices.angle_tolerance  # degrees
@@ -46,18 +50,20 @@ class BlendRequest:
     def of(from_edges: Iterable[subelements.Pick], to_edges: Iterable[subelements.Pick],
            edge_continuity: Optional[Mapping[Any, str]] = None, pairs: Iterable[Any] = (),
            from_curve: Iterable[subelements.Pick] = (), to_curve: Iterable[subelements.Pick] = (),
-           **options) -> "BlendRequest":
-        """From names such as "Edge7" (or edge numbers), pairs such as ("Vertex3", "Vertex7"), and the other members by
-        name. Raises ValueError with a name that is no edge's, or no vertex's."""
+           ends: Iterable[subelements.Pick] = (), end_faces: Iterable[subelements.Pick] = (),
+           cuts: Iterable[subelements.Pick] = (), **options) -> "BlendRequest":
+        """From names such as "Edge7" and "Face3" (or numbers), pairs such as ("Vertex3", "Vertex7"), and the other
+        members by name. Raises ValueError with a name that is no edge's, no face's, or no vertex's."""
         return BlendRequest(from_edges=subelements.only_edges(from_edges), to_edges=subelements.only_edges(to_edges),
                             from_curve=subelements.only_edges(from_curve),
                             to_curve=subelements.only_edges(to_curve), edge_continuity=by_edge(edge_continuity),
-                            pairs=tuple(map(subelements.vertex_pair, pairs)), **options)
+                            pairs=tuple(map(subelements.vertex_pair, pairs)), ends=subelements.only_edges(ends),
+                            end_faces=subelements.only_faces(end_faces), cuts=subelements.only_edges(cuts), **options)
 
     def arguments(self) -> dict[str, Any]:
         """Keyword arguments of the native Shape.blend()."""
         given = dataclasses.asdict(self)
-        lists = ("from_edges", "to_edges", "from_curve", "to_curve", "pairs")
+        lists = ("from_edges", "to_edges", "from_curve", "to_curve", "pairs", "ends", "end_faces", "cuts")
         given.update({name: list(given[name]) for name in lists}, edge_continuity=dict(self.edge_continuity))
         return {NATIVE_NAMES.get(name, name): value for name, value in given.items()}
 

@@ -22,6 +22,15 @@ def only_edges(picks: Union[Pick, Iterable[Pick]]) -> tuple[int, ...]:
     return edge_numbers(picks)
 
 
+def only_faces(picks: Union[Pick, Iterable[Pick]]) -> tuple[int, ...]:
+    """Numbers of one pick or several, all of them faces. Raises ValueError with the first that is none."""
+    picks = [picks] if isinstance(picks, (str, int)) else list(picks)
+    for pick in picks:
+        if not isinstance(pick, int) and not is_face(pick):
+            raise ValueError(f"{pick!r} is not a face (Face3)")
+    return tuple(_number(pick, "Face") for pick in picks)
+
+
 def vertex_number(pick: Pick) -> int:
     """The number of one vertex. Raises ValueError where it is none."""
     if not isinstance(pick, int) and not is_vertex(pick):

@@ -66,7 +66,7 @@ struct FillArguments {
 /// A blend: two sides, or edges that make them.
 struct BlendArguments {
   SolveArguments solve;
-  std::vector<std::string> edges, from, to, edgeContinuity, pairs, cuts;
+  std::vector<std::string> edges, from, to, edgeContinuity, pairs, cuts, ends, endFaces;
   std::string continuity = "G1", match = "auto";
   double alignment = 0.0;
   std::optional<double> gap, angle;

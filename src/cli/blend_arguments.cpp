@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <tuple>
+
 #include "cli/arguments.h"
 #include "cli/options.h"
 #include "cli/parse.h"
@@ -79,6 +81,8 @@ void BlendArguments::addTo(CLI::App& command) {
                      "of closed sides: how far the second one is turned from where the blend is "
                      "least twisted, as a share of its length, -0.5 to 0.5");
   addList(command, "--pair", pairs, "vertices of the sides that belong together, such as 3=7,4=8");
+  addList(command, "--ends", ends, "edges that join the ends of open sides: the blend meets them");
+  addList(command, "--end-faces", endFaces, "faces that the ends of the blend follow, such as 3,4");
   command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the blend's diagonal)");
   command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
   solve.addChoices(command);
@@ -105,9 +109,14 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
   const auto joined = parsePairs(pairs, "--pair");
   if (!joined) return fail(joined.error());
   picks.pairs = *joined;
-  const auto shown = parseNumbers(cuts, "--cuts", "Edge");
-  if (!shown) return fail(shown.error());
-  picks.cuts = *shown;
+  for (const auto& [numbers, option, kind, picked] :
+       {std::tuple{&ends, "--ends", "Edge", &picks.ends},
+        {&endFaces, "--end-faces", "Face", &picks.endFaces},
+        {&cuts, "--cuts", "Edge", &picks.cuts}}) {
+    auto parsed = parseNumbers(*numbers, option, kind);
+    if (!parsed) return fail(parsed.error());
+    *picked = std::move(*parsed);
+  }
   const auto first = parseNumbers(from, "--from", "Edge");
   if (!first) return fail(first.error());
   const auto second = parseNumbers(to, "--to", "Edge");

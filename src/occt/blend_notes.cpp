@@ -125,8 +125,9 @@ bool isInside(const ShapeIndex& index, const std::set<int>& faces, const Vector3
 /// solid.
 class Overlap {
  public:
-  Overlap(const ShapeIndex& index, const boundary::BoundaryLoop& sides, double deflection)
-      : index_(index), sides_(sides), chains_(sides.chains()) {
+  Overlap(const ShapeIndex& index, const boundary::BoundaryLoop& sides, const SideRanges& chains)
+      : index_(index), sides_(sides), chains_(chains) {
+    const double deflection = kDeflection * sides.diagonal;
     for (const auto& [first, end] : chains_) {
       faces_.push_back(facesBeside(sides, first, end));
       for (const int face : faces_.back())
@@ -162,7 +163,7 @@ class Overlap {
 
   const ShapeIndex& index_;
   const boundary::BoundaryLoop& sides_;
-  std::vector<std::pair<std::size_t, std::size_t>> chains_;
+  const SideRanges& chains_;
   std::vector<std::set<int>> faces_;  // beside every chain
   std::map<int, TriangleTree> trees_;
 };
@@ -171,6 +172,7 @@ class Overlap {
 
 std::vector<Note> blendNotes(const ShapeIndex& index,
                              const boundary::BoundaryLoop& sides,
+                             const SideRanges& chains,
                              const std::vector<spline::BsplineSurface>& patches) {
   std::vector<Note> notes;
   addCreases(sides, notes);
@@ -178,7 +180,7 @@ std::vector<Note> blendNotes(const ShapeIndex& index,
     notes.push_back({NoteCode::StripFolds, 0, fold->where, fold->share, 0});
   const TriangleTree blend(analysis::meshOf(patches));
   addNote(notes, NoteCode::CutsItself, blend.ownCrossings());
-  const Overlap overlap(index, sides, kDeflection * sides.diagonal);
+  const Overlap overlap(index, sides, chains);
   const NearSides nearSides(sides);
   for (const auto& [face, tree] : overlap.trees())
     addNote(

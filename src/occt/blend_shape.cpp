@@ -5,9 +5,12 @@
 
 #include "core/blend/blend_ring.h"
 #include "core/blend/natural_strip.h"
+#include "core/boundary/strip_ends.h"
 #include "occt/blend_notes.h"
 #include "occt/make_faces.h"
+#include "occt/read_ends.h"
 #include "occt/setback.h"
+#include "occt/slide_end.h"
 #include "occt/support_notes.h"
 
 namespace fairing::occt {
@@ -23,32 +26,87 @@ struct Base {
 /// `sides` in the base's own numbers.
 Result<ShapeBlend> joined(const Base& base,
                           const boundary::BoundaryLoop& sides,
+                          const SideRanges& chains,
                           Blend blend,
                           ResultMode mode) {
   FillResult& fill = blend.fill;
   auto& notes = fill.report.notes;
   notes.insert(notes.end(), base.notes.begin(), base.notes.end());
-  for (const analysis::Note& note : blendNotes(base.index, sides, fill.patches))
+  for (const analysis::Note& note : blendNotes(base.index, sides, chains, fill.patches))
     notes.push_back(inNumbersOf(note, base.users));
-  boundary::BoundaryLoop named = inNumbersOf(sides, base.users);
-  addSingularSupports(named, fill.report);
+  boundary::BoundaryLoop loop = inNumbersOf(sides, base.users);
+  addSingularSupports(loop, fill.report);
   const auto faces = makeFaces(fill);
   if (!faces) return fail(faces.error());
-  const auto shape = joinResult(base.index, {}, {{*faces, sides, fill.report.largestGap}}, mode);
+  boundary::BoundaryLoop joints = sides;
+  std::erase_if(joints.sides, [](const auto& side) { return side.edge == 0; });  // on a wall
+  const auto shape = joinResult(base.index, {}, {{*faces, joints, fill.report.largestGap}}, mode);
   if (!shape) return fail(inNumbersOf(shape.error(), base.users));
-  return ShapeBlend{{*shape, std::move(fill), std::move(named)}, std::move(blend.natural)};
+  return ShapeBlend{{*shape, std::move(fill), std::move(loop)}, std::move(blend.natural)};
+}
+
+boundary::ChainPair named(boundary::ChainPair pair, const UserNumbers& users) {
+  pair.sides = inNumbersOf(std::move(pair.sides), users);
+  return pair;
+}
+
+/// The pair with what the ends are to follow. Where they slide on a face, a strip with free ends
+/// there says where.
+Result<boundary::ChainPair> ended(const Base& base,
+                                  const boundary::ChainPair& chains,
+                                  const BlendPicks& picks,
+                                  const BlendOptions& options,
+                                  Progress* progress) {
+  auto read = readEnds(base.index, picks, chains);
+  if (!read) return fail(inNumbersOf(read.error(), base.users));
+  if (read->walls == std::array{0, 0}) return std::move(read->pair);
+  BlendOptions natural = options;
+  natural.reach = {};
+  const auto free = blendChains(named(read->pair, base.users), natural, progress);
+  if (!free) return fail(free.error());
+  boundary::StripEnds ends = boundary::endsOf(read->pair);
+  for (const std::size_t chain : {0, 1}) {
+    if (read->walls[chain] == 0) continue;
+    auto side = slidingEnd(base.index, read->walls[chain], read->pair, chain, free->fill.patches);
+    if (!side) return fail(inNumbersOf(side.error(), base.users));
+    ends[chain] = {std::move(*side)};
+  }
+  auto pair = boundary::withEnds(read->pair, ends);
+  if (!pair) return fail(inNumbersOf(pair.error(), base.users));
+  return pair;
 }
 
 Result<ShapeBlend> strip(const Base& base,
-                         const boundary::ChainPair& pair,
+                         const boundary::ChainPair& chains,
+                         const BlendPicks& picks,
                          const BlendOptions& options,
                          ResultMode mode,
                          Progress* progress) {
-  boundary::ChainPair named = pair;
-  named.sides = inNumbersOf(std::move(named.sides), base.users);
-  auto blend = blendChains(named, options, progress);
+  const auto pair = ended(base, chains, picks, options, progress);
+  if (!pair) return fail(pair.error());
+  auto blend = blendChains(named(*pair, base.users), options, progress);
   if (!blend) return fail(blend.error());
-  return joined(base, pair.sides, std::move(*blend), mode);
+  const SideRanges joining{{0, pair->firstCount}, {pair->secondStart(), pair->secondEnd()}};
+  return joined(base, pair->sides, joining, std::move(*blend), mode);
+}
+
+/// Ends in the numbers of a trimmed base; EdgeNotInLoop for an edge that was cut off.
+std::optional<Error> translateEnds(const BlendPicks& picks, TrimmedBase& base) {
+  const auto numbersOf = [](int user, const std::map<int, int>& users) {
+    std::vector<int> numbers;
+    for (const auto& [number, own] : users)
+      if (own == user) numbers.push_back(number);
+    return numbers;
+  };
+  for (const int edge : picks.ends) {
+    const std::vector<int> numbers = numbersOf(edge, base.users.edges);
+    if (numbers.empty()) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+    base.picks.ends.insert(base.picks.ends.end(), numbers.begin(), numbers.end());
+  }
+  for (const int face : picks.endFaces)
+    for (const int number : numbersOf(face, base.users.faces))
+      base.picks.endFaces.push_back(number);
+  return std::nullopt;
 }
 
 /// What is wished of two chains alone, if anything.
@@ -57,6 +115,7 @@ const char* wishOfPair(const BlendPicks& picks) {
   if (!picks.pairs.empty()) return "pairs of vertices";
   if (picks.alignment != 0.0) return "alignment";
   if (picks.match != boundary::MatchKind::Auto) return "matching";
+  if (picks.hasEnds()) return "ends";
   return nullptr;
 }
 
@@ -67,7 +126,7 @@ Result<ShapeBlend> junction(const Base& base,
                             Progress* progress) {
   auto made = blendRing(ring, options, progress);
   if (!made) return fail(made.error());
-  return joined(base, ring.sides, {std::move(*made), nullptr}, mode);
+  return joined(base, ring.sides, ring.sides.chains(), {std::move(*made), nullptr}, mode);
 }
 
 }  // namespace
@@ -87,13 +146,15 @@ Result<ShapeBlend> blendShape(const ShapeIndex& index,
   }
   const auto& pair = std::get<boundary::ChainPair>(*sides);
   if (!picks.cuts.empty()) return fail({.code = ErrorCode::CutUnfit, .edge = picks.cuts.front()});
-  if (!picks.isSetBack()) return strip({index}, pair, options, mode, progress);
+  if (!picks.isSetBack()) return strip({index}, pair, picks, options, mode, progress);
   if (!picks.pairs.empty()) return fail({.code = ErrorCode::SetbackPairs});
-  const auto trimmed = trimBack(index, picks, pair);
+  auto trimmed = trimBack(index, picks, pair);
   if (!trimmed) return fail(trimmed.error());
+  if (const auto lost = translateEnds(picks, *trimmed)) return fail(*lost);
   const auto inner = readChains(trimmed->index, trimmed->picks);
   if (!inner) return fail(inNumbersOf(inner.error(), trimmed->users));
-  return strip({trimmed->index, trimmed->users, trimmed->notes}, *inner, options, mode, progress);
+  const Base base{trimmed->index, trimmed->users, trimmed->notes};
+  return strip(base, *inner, trimmed->picks, options, mode, progress);
 }
 
 Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {

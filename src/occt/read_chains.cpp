@@ -17,6 +17,7 @@
 #include "occt/edge_curve.h"
 #include "occt/from_occt.h"
 #include "occt/guarded.h"
+#include "occt/read_ends.h"
 #include "occt/read_side.h"
 
 namespace fairing::occt {
@@ -131,13 +132,6 @@ Result<std::set<int>> pickedPositions(const ShapeIndex& index,
   return positionsOf(graph, edges);
 }
 
-Picks picksOf(const BlendPicks& picks) {
-  Picks result;
-  result.continuity = picks.continuity;
-  result.edgeContinuity = picks.edgeContinuity;
-  return result;
-}
-
 std::optional<Error> checkSides(const BlendPicks& picks) {
   if (picks.from.empty() && picks.to.empty()) return Error{.code = ErrorCode::NothingPicked};
   if (picks.from.empty()) return Error{.code = ErrorCode::OneSideOnly, .detail = "from"};
@@ -172,11 +166,13 @@ Result<std::vector<std::vector<int>>> groupsOf(const ShapeIndex& index,
   return groups;
 }
 
-/// A chain a group of picks; none goes on into another.
+/// A chain a group of picks; none goes on into another, or into an end.
 Result<std::vector<SideChain>> chainsOf(const ShapeIndex& index,
                                         const BorderGraph& graph,
                                         const std::vector<std::vector<int>>& groups,
-                                        const Picks& picks) {
+                                        const BlendPicks& picks) {
+  const auto ends = endPositions(index, graph, picks);
+  if (!ends) return fail(ends.error());
   std::vector<ChainBuilder> builders;
   for (const std::vector<int>& group : groups) {
     const auto positions = pickedPositions(index, graph, group);
@@ -186,11 +182,11 @@ Result<std::vector<SideChain>> chainsOf(const ShapeIndex& index,
   }
   std::vector<SideChain> chains;
   for (ChainBuilder& builder : builders) {
-    std::set<int> others;
+    std::set<int> others = *ends;
     for (const ChainBuilder& other : builders)
       if (&other != &builder) others.merge(other.positions());
     builder.extend(others);
-    chains.push_back(builder.finish(picks));
+    chains.push_back(builder.finish(wishesOf(picks)));
   }
   return chains;
 }
@@ -223,7 +219,7 @@ class VertexFinder {
   }
   [[nodiscard]] Place onFirst(int vertex) const { return on(vertex, 0, pair_.firstCount); }
   [[nodiscard]] Place onSecond(int vertex) const {
-    return on(vertex, pair_.firstCount, pair_.sides.sides.size());
+    return on(vertex, pair_.secondStart(), pair_.secondEnd());
   }
   [[nodiscard]] Place on(int vertex, std::size_t from, std::size_t to) const {
     constexpr double kSamePoint = 5e-4;  // of the diagonal: as far apart as edges that meet
@@ -244,11 +240,12 @@ class VertexFinder {
 Result<boundary::ChainPair> pairOf(const ShapeIndex& index,
                                    const BorderGraph& graph,
                                    const BlendPicks& picks) {
-  const auto chains = chainsOf(index, graph, {picks.from, picks.to}, picksOf(picks));
+  const auto chains = chainsOf(index, graph, {picks.from, picks.to}, picks);
   if (!chains) return fail(chains.error());
   auto pair = boundary::pairChains(chains->front(), chains->back());
   if (!pair) return pair;
-  if (const auto stray = strayWish(picksOf(picks), pair->sides.sides)) return fail(*stray);
+  const auto stray = strayWish(wishesOf(picks), pair->sides.sides);
+  if (stray && !picks.hasEnds()) return fail(*stray);
   pair->match = {picks.match, picks.alignment, {}};
   const VertexFinder finder(index, *pair);
   for (const auto& [a, b] : picks.pairs) {
@@ -266,7 +263,7 @@ Result<std::vector<SideChain>> chainsOfRing(const ShapeIndex& index,
   auto groups = groupsOf(index, graph, picks.to);
   if (!groups || (groups->size() < 2 && !picks.ring)) return {};
   groups->insert(groups->begin(), picks.from);
-  auto chains = chainsOf(index, graph, *groups, picksOf(picks));
+  auto chains = chainsOf(index, graph, *groups, picks);
   if (picks.ring) return chains;
   const auto isClosed = [](const SideChain& chain) { return chain.closed; };
   if (!chains || !std::all_of(chains->begin() + 1, chains->end(), isClosed)) return {};
@@ -307,7 +304,7 @@ Result<boundary::ChainRing> ringOf(const ShapeIndex& index,
   auto loop = picks.ring && !chains.front().closed ? boundary::ringOfChains(chains)
                                                    : boundary::ringOfLoops(chains);
   if (!loop) return fail(loop.error());
-  if (const auto stray = strayWish(picksOf(picks), loop->sides)) return fail(*stray);
+  if (const auto stray = strayWish(wishesOf(picks), loop->sides)) return fail(*stray);
   if (loop->isOpen() && !picks.cuts.empty())
     return fail({.code = ErrorCode::CutUnfit, .edge = picks.cuts.front()});
   const auto cuts = cutsOf(index, *loop, picks.cuts);
@@ -316,6 +313,13 @@ Result<boundary::ChainRing> ringOf(const ShapeIndex& index,
 }
 
 }  // namespace
+
+Picks wishesOf(const BlendPicks& picks) {
+  Picks result;
+  result.continuity = picks.continuity;
+  result.edgeContinuity = picks.edgeContinuity;
+  return result;
+}
 
 Result<boundary::ChainPair> readChains(const ShapeIndex& index, const BlendPicks& picks) {
   return guarded([&]() -> Result<boundary::ChainPair> {
@@ -335,16 +339,17 @@ Result<BlendSides> readBlend(const ShapeIndex& index, const BlendPicks& picks) {
   });
 }
 
-Result<WholeChain> wholeChain(const ShapeIndex& index,
-                              const std::vector<int>& edges,
-                              const std::vector<int>& others) {
+Result<WholeChain> wholeChain(const ShapeIndex& index, const BlendPicks& picks) {
   return guarded([&]() -> Result<WholeChain> {
-    if (edges.empty()) return fail({.code = ErrorCode::NothingPicked});
+    if (picks.from.empty()) return fail({.code = ErrorCode::NothingPicked});
     const BorderGraph graph = BorderGraph::build(index, {});
-    const auto own = pickedPositions(index, graph, edges);
+    const auto own = pickedPositions(index, graph, picks.from);
     if (!own) return fail(own.error());
-    const auto foreign = pickedPositions(index, graph, others);
+    auto foreign = pickedPositions(index, graph, picks.to);
     if (!foreign) return fail(foreign.error());
+    auto ends = endPositions(index, graph, picks);
+    if (!ends) return fail(ends.error());
+    foreign->merge(*ends);
     ChainBuilder chain(index, graph, *own);
     if (const auto broken = chain.connect()) return fail(*broken);
     chain.extend(*foreign);

@@ -30,15 +30,22 @@ struct BlendPicks {
   /// Open chains of the second side are one side each of a blend round a vertex.
   bool ring = false;
   std::vector<int> cuts = {};  ///< edges whose ends are those of the cuts of a junction
+  /// Edges, and faces by FaceN, that the ends of a strip between open sides follow (read_ends.h).
+  std::vector<int> ends = {}, endFaces = {};
 
+  [[nodiscard]] bool hasEnds() const { return !ends.empty() || !endFaces.empty(); }
   [[nodiscard]] bool isSetBack() const {
     return setback != std::array<double, 2>{} || !setbackCurve[0].empty() ||
            !setbackCurve[1].empty();
   }
 };
 
+/// What is wished of the edges, as picks of a hole.
+[[nodiscard]] Picks wishesOf(const BlendPicks& picks);
+
 /// The two chains the picks mean: the picked edges of a side, and those that continue them smoothly
-/// as long as just one does and no picked one of the other side is reached. Fails with OneSideOnly,
+/// as long as just one does and no picked one of the other side or of an end is reached; their ends
+/// are free: readEnds() adds what they are to follow. Fails with OneSideOnly,
 /// EdgeOnBothSides, ChainBroken, ChainBranches, EdgeNotInLoop, VertexOutOfRange, PairOffChain, the
 /// refusals of BorderGraph, and the codes of pairChains(). The sides must not be evaluated by two
 /// threads at once.
@@ -59,11 +66,9 @@ struct WholeChain {
   bool closed = false;
 };
 
-/// The picked edges of one side of a blend, and those readChains() would add when `others` are the
-/// picks of the other side. Fails as it does.
-[[nodiscard]] Result<WholeChain> wholeChain(const ShapeIndex& index,
-                                            const std::vector<int>& edges,
-                                            const std::vector<int>& others);
+/// The edges `picks.from`, and those readChains() would add when `picks.to` are the picks of the
+/// other side. Fails as it does.
+[[nodiscard]] Result<WholeChain> wholeChain(const ShapeIndex& index, const BlendPicks& picks);
 
 /// Edges grouped into chains that connect, each ascending, by their lowest edges.
 [[nodiscard]] Result<std::vector<std::vector<int>>> groupEdges(const ShapeIndex& index,

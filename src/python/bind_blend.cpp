@@ -41,6 +41,10 @@ ShapeBlend blend(const ShapeIndex& shape,
                  const std::string& match,
                  double alignment,
                  std::vector<std::pair<int, int>> pairs,
+                 std::vector<int> ends,
+                 std::vector<int> endFaces,
+                 bool ring,
+                 std::vector<int> cuts,
                  const std::string& energy,
                  std::optional<double> tolerance,
                  double angle,
@@ -56,7 +60,11 @@ ShapeBlend blend(const ShapeIndex& shape,
                                .setbackCurve = {std::move(fromCurve), std::move(toCurve)},
                                .match = choice(text::matchFrom, "match", match),
                                .alignment = alignment,
-                               .pairs = std::move(pairs)};
+                               .pairs = std::move(pairs),
+                               .ring = ring,
+                               .cuts = std::move(cuts),
+                               .ends = std::move(ends),
+                               .endFaces = std::move(endFaces)};
   const BlendOptions options{optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles),
                              {{fromReach, toReach}, {fromReachEnd, toReachEnd}},
                              {choice(text::departureFrom, "from_departure", fromDeparture),
@@ -72,9 +80,15 @@ std::vector<std::vector<int>> chains(const ShapeIndex& shape, const std::vector<
 }
 
 py::tuple wholeChain(const ShapeIndex& shape,
-                     const std::vector<int>& edges,
-                     const std::vector<int>& others) {
-  const auto chain = valueOf(occt::wholeChain(shape, edges, others));
+                     std::vector<int> edges,
+                     std::vector<int> others,
+                     std::vector<int> ends,
+                     std::vector<int> endFaces) {
+  const auto chain = valueOf(occt::wholeChain(shape,
+                                              {.from = std::move(edges),
+                                               .to = std::move(others),
+                                               .ends = std::move(ends),
+                                               .endFaces = std::move(endFaces)}));
   return py::make_tuple(chain.edges, chain.closed);
 }
 
@@ -128,8 +142,11 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
            &wholeChain,
            py::arg("edges"),
            py::arg("others") = std::vector<int>{},
+           py::arg("ends") = std::vector<int>{},
+           py::arg("end_faces") = std::vector<int>{},
            "The picked edges of one side of a blend in order, with those that continue them "
-           "smoothly up to the other side's, and whether they close. Raises FairingError where "
+           "smoothly up to the other side's and the ends', and whether they close. Raises "
+           "FairingError where "
            "they make no chain.")
       .def(
           "blend",
@@ -153,6 +170,10 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           py::arg("match") = std::string(text::word(boundary::MatchKind::Auto)),
           py::arg("alignment") = 0.0,
           py::arg("pairs") = std::vector<std::pair<int, int>>{},
+          py::arg("ends") = std::vector<int>{},
+          py::arg("end_faces") = std::vector<int>{},
+          py::arg("ring") = false,
+          py::arg("cuts") = std::vector<int>{},
           py::arg("energy") = std::string(text::word(FillOptions{}.energy)),
           py::arg("tolerance") = py::none(),
           py::arg("angle") = Tolerance{}.angle,
@@ -160,7 +181,9 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           py::arg("max_poles") = FillOptions{}.maxPoles,
           py::arg("result") = "patches",
           py::arg("progress") = py::none(),
-          "Joins two chains of free edges by one strip; one edge of a smooth chain is enough. "
+          "Joins two chains of free edges by one strip, three and more closed ones by a junction, "
+          "with "
+          "ring open ones that come to a vertex, too; one edge of a smooth chain is enough. "
           "continuity is G0, G1 or G2, edge_continuity holds the edges that differ. from_reach and "
           "to_reach, above 0: how far the strip goes on before it turns away from either side, 1 = "
           "what the energy likes best; with from_reach_end or to_reach_end it changes linearly "
@@ -175,7 +198,10 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           "match is auto, length or corners: corners belong to corners "
           "where both sides have as many, points at equal shares of the lengths elsewhere. "
           "alignment, -0.5 to 0.5, turns closed sides against each other, by a share of the second "
-          "one's length; pairs holds vertices of both sides that belong together. tolerance is "
+          "one's length; pairs holds vertices of both sides that belong together. ends holds edges "
+          "that join the ends of open sides, end_faces faces that the ends follow: along the edges "
+          "of their border, or sliding on them. cuts holds edges from rim to rim that show where "
+          "a junction is cut. tolerance is "
           "in mm (None: a millionth of the diagonal of both chains), angle in degrees, degree 3 "
           "to 9 (0: chosen from the edges). The GIL is released while solving. Raises "
           "FairingError.");

@@ -116,6 +116,24 @@ const char* name(ErrorCode code) {
       return "SetbackWithoutFace";
     case ErrorCode::SetbackTooLarge:
       return "SetbackTooLarge";
+    case ErrorCode::EndsUnused:
+      return "EndsUnused";
+    case ErrorCode::EndOnSide:
+      return "EndOnSide";
+    case ErrorCode::EndJoinsNothing:
+      return "EndJoinsNothing";
+    case ErrorCode::EndTwice:
+      return "EndTwice";
+    case ErrorCode::EndTurns:
+      return "EndTurns";
+    case ErrorCode::EndOffFace:
+      return "EndOffFace";
+    case ErrorCode::EndLeavesFace:
+      return "EndLeavesFace";
+    case ErrorCode::EndAlongSide:
+      return "EndAlongSide";
+    case ErrorCode::EndAgainstSide:
+      return "EndAgainstSide";
     case ErrorCode::SetbackPairs:
       return "SetbackPairs";
     case ErrorCode::SetbackTwice:

@@ -136,8 +136,8 @@ std::string loopSentence(const Error& e) {
 std::string numericSentence(const Error& e) {
   switch (e.code) {
     case ErrorCode::CurveNotFitted:
-      return fmt::format("Edge {} cannot be followed closely enough: {} remain{}.",
-                         e.edge,
+      return fmt::format("{} cannot be followed closely enough: {} remain{}.",
+                         e.edge > 0 ? edge(e) : fmt::format("Face {}", e.face),
                          length(e.value),
                          at(e));
     case ErrorCode::InnerConstraintOff:
@@ -255,6 +255,70 @@ std::string junctionSentence(const Error& e) {
           e.value);
     default:
       return fmt::format("A junction of three loops or more takes no {}: leave it out.", e.detail);
+  }
+}
+
+std::string endSentence(const Error& e) {
+  const std::string face = fmt::format("Face {}", e.face);
+  switch (e.code) {
+    case ErrorCode::EndsUnused:
+      return fmt::format(
+          "The side of edge {} is closed, so the blend has no ends to follow anything: leave out "
+          "the ends.",
+          e.edge);
+    case ErrorCode::EndOnSide:
+      return edge(e) +
+             " is picked for an end of the blend, but belongs to one of its sides: leave it out of "
+             "one of them.";
+    case ErrorCode::EndJoinsNothing:
+      return fmt::format(
+          "{} leads from no end of one side of the blend to an end of the other: it stops {} from "
+          "the nearest one{}; pick edges all the way, or leave it out.",
+          edge(e),
+          length(e.value),
+          at(e));
+    case ErrorCode::EndTwice:
+      return fmt::format(
+          "{} is a second way for the end of the blend{}, which follows another one: leave out one "
+          "of the two.",
+          e.edge > 0 ? edge(e) : face,
+          at(e));
+    case ErrorCode::EndTurns:
+      return fmt::format(
+          "The end of the blend turns by {} after edge {}{}: an end must be smooth; leave it free, "
+          "or fill the hole between all edges.",
+          angle(e.value),
+          e.edge,
+          at(e));
+    case ErrorCode::EndLeavesFace:
+      return fmt::format(
+          "The end of the blend would slide {} beyond the border of face {}{}: pick a larger face, "
+          "or leave the end free.",
+          length(e.value),
+          e.face,
+          at(e));
+    case ErrorCode::EndAlongSide:
+      return fmt::format(
+          "The end of the blend makes an angle of {} with the side of edge {}{}, no corner for a "
+          "patch: leave the end free, or fill the hole between all edges.",
+          angle(e.value),
+          e.edge,
+          at(e));
+    case ErrorCode::EndAgainstSide:
+      return fmt::format(
+          "The end of the blend leaves edge {}{} {} off the direction asked for: leave the "
+          "direction "
+          "of that side free, or the end.",
+          e.edge,
+          at(e),
+          angle(e.value));
+    default:
+      return fmt::format(
+          "{} has no border from one side of the blend to the other, and the nearest end lies {} "
+          "off it{}: pick a face both sides end on.",
+          face,
+          length(e.value),
+          at(e));
   }
 }
 
@@ -426,6 +490,16 @@ std::string sentence(const Error& error) {
     case ErrorCode::JunctionReach:
     case ErrorCode::JunctionWish:
       return junctionSentence(error);
+    case ErrorCode::EndsUnused:
+    case ErrorCode::EndOnSide:
+    case ErrorCode::EndJoinsNothing:
+    case ErrorCode::EndTwice:
+    case ErrorCode::EndTurns:
+    case ErrorCode::EndOffFace:
+    case ErrorCode::EndLeavesFace:
+    case ErrorCode::EndAlongSide:
+    case ErrorCode::EndAgainstSide:
+      return endSentence(error);
     case ErrorCode::DepartureNotTangent:
     case ErrorCode::DepartureAlongEdge:
     case ErrorCode::SetbackNegative:

@@ -21,7 +21,9 @@ using analysis::SideReport;
 std::string positionOnly(const FillReport& report) {
   std::string list;
   for (const SideReport& side : report.sides) {
-    if (!asksTangency(side)) list += (list.empty() ? "" : ", ") + std::to_string(side.edge);
+    if (asksTangency(side)) continue;
+    list += list.empty() ? "" : ", ";
+    list += side.edge > 0 ? std::to_string(side.edge) : fmt::format("on face {}", side.face);
   }
   return list;
 }
@@ -66,7 +68,7 @@ std::string sideTable(const FillReport& report) {
       return measured ? angle(d.max) : std::string("-");
     };
     text += fmt::format("{:>6} {:>6} {:>6} {:>10} {:>10} {:>10} {:>10}  {}\n",
-                        side.edge,
+                        side.edge > 0 ? std::to_string(side.edge) : "-",
                         side.face > 0 ? std::to_string(side.face) : "-",
                         word(side.asked),
                         length(side.gap.max),

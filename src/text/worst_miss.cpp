@@ -102,8 +102,9 @@ std::string sideSentence(const FillReport& report, const Miss& miss) {
   const SideReport& side = *miss.side;
   switch (miss.kind) {
     case Miss::Kind::Gap:
-      return fmt::format("Edge {} is missed by {} at {} (allowed: {}){}",
-                         side.edge,
+      return fmt::format("{} is missed by {} at {} (allowed: {}){}",
+                         side.edge > 0 ? fmt::format("Edge {}", side.edge)
+                                       : fmt::format("The end on face {}", side.face),
                          length(side.gap.max),
                          point(side.gap.where),
                          length(report.gapLimit),

@@ -316,6 +316,33 @@ def survives_save_and_reopen():
     assert blend.isValid() and abs(blend.Shape.Area - area) < 1e-9 * area
 
 
+def its_ends_follow_edges_and_faces_of_other_objects():
+    document, base, names = two_planes("Ends")
+    curve = Part.BezierCurve()
+    curve.setPoles([App.Vector(*pole) for pole in ((0, 10, 0), (0, 14, 0), (0, 16, 8), (0, 20, 8))])
+    curve = object_of(document, "Curve", curve.toShape())
+    wall = object_of(document, "Wall", Part.makePlane(60, 60, App.Vector(20, 50, -20), App.Vector(1, 0, 0)))
+    blend = fairing.make_blend((base, names[0]), (base, names[1]), ends=[(curve, ["Edge1"]), (wall, ["Face1"])])
+    assert blend.isValid() and blend.WithinTolerance, blend.Verdict
+    assert blend.Ends == [(curve, ("Edge1",)), (wall, ("Face1",))], blend.Ends
+    assert {"Curve.Edge1", "Wall.Face1"} <= set(blend.ReportEdges), blend.ReportEdges
+    gap = max(blend.Shape.distToShape(Part.Vertex(point))[0] for point in curve.Shape.Edges[0].discretize(20))
+    assert gap < 5e-5 and abs(blend.Shape.BoundBox.XMax - 20) < 1e-5
+    fairing.change_blend(blend, from_reach=1.2)
+    assert len(blend.Ends) == 2 and blend.WithinTolerance, blend.Verdict
+    path = support.saved(document)
+    App.closeDocument(document.Name)
+    document = App.openDocument(path)
+    blend = document.Blend
+    document.Wall.Placement.Base = App.Vector(5, 0, 0)
+    document.recompute()
+    assert not blend.isValid() and "5 mm off it" in blend.Verdict, blend.Verdict
+    fairing.change_blend(blend, ends=[(document.Curve, ["Edge1"])])
+    assert blend.isValid() and len(blend.Ends) == 1 and "Wall.Face1" not in blend.ReportEdges
+    fairing.change_blend(blend, ends=[])
+    assert blend.Ends == [] and len(blend.ReportEdges) == 2
+
+
 def a_dead_one_comes_back_to_life():
     from fairing.features import reconnect
 

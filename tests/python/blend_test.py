@@ -309,3 +309,35 @@ def test_finds_the_whole_chain_of_an_edge():
         edges, closed = native.whole_chain([edge])
         assert sorted(edges) == rim and closed
     assert native.whole_chain(rim[:1], rim[1:]) == (rim[:1], False), "not the edges of the other side"
+
+
+@pytest.fixture(scope="module")
+def ended():
+    """The planes, a curve from end to end on the left, a wall (face 3) on the right; numbers of sides and curve."""
+    curve = Part.BezierCurve()
+    curve.setPoles([App.Vector(*pole) for pole in ((0, 10, 0), (0, 14, 0), (0, 16, 8), (0, 20, 8))])
+    wall = Part.makePlane(60, 60, App.Vector(20, 50, -20), App.Vector(1, 0, 0))
+    shape = Part.Compound([Part.makePlane(20, 10), Part.makePlane(20, 10, App.Vector(0, 20, 8)), wall, curve.toShape()])
+    return shape, edge_at(shape, (10, 10, 0)), edge_at(shape, (10, 20, 8)), edge_at(shape, (0, 15, 4))
+
+
+def test_the_ends_follow_edges_and_faces(ended):
+    shape, start, end, curve = ended
+    face, report = fairing.blend(shape, [start], [end], ends=[f"Edge{curve}"], end_faces=["Face3"])
+    assert face.isValid() and report["within_tolerance"]
+    assert sorted(side["edge"] for side in report["sides"]) == sorted([0, curve, start, end])
+    for point in shape.Edges[curve - 1].discretize(20):
+        assert face.distToShape(Part.Vertex(point))[0] <= report["limits"]["gap"]
+    assert face.BoundBox.XMax == pytest.approx(20, abs=1e-5)
+
+
+def test_refuses_ends_that_make_no_sense(ended, tubes):
+    shape, start, end, curve = ended
+    error = refused("EndOffFace", lambda: fairing.blend(shape, [start], [end], ends=[curve], end_faces=[1]))
+    assert error.face == 1 and error.value > 1.0
+    refused("EndOnSide", lambda: fairing.blend(shape, [start], [end], ends=[start]))
+    refused("EndTwice", lambda: fairing.blend(shape, [start], [end], end_faces=[3, 3]))
+    tube_shape, low, high = tubes
+    refused("EndsUnused", lambda: fairing.blend(tube_shape, [low], [high], end_faces=[1]))
+    with pytest.raises(ValueError, match="not a face"):
+        fairing.blend(shape, [start], [end], end_faces=["Edge1"])

@@ -315,6 +315,46 @@ def test_blends_from_a_drawn_curve(two_planes, tmp_path):
     assert "ends inside face 1 at (9, 6, 0)" in refused(*sides, "--from-curve", last)
 
 
+@pytest.fixture(scope="module")
+def planes_with_ends(tmp_path_factory):
+    """A file with two rectangles, a curve from the end of one to that of the other, and a wall (face 3) at the other
+    ends; the numbers of the edges that face each other and that of the curve."""
+    curve = Part.BezierCurve()
+    curve.setPoles([Vector(0, 10, 0), Vector(0, 14, 0), Vector(0, 16, 8), Vector(0, 20, 8)])
+    wall = Part.makePlane(60, 60, Vector(20, 50, -20), Vector(1, 0, 0))
+    shape = Part.Compound([Part.makePlane(20, 10), Part.makePlane(20, 10, Vector(0, 20, 8)), wall, curve.toShape()])
+    path = tmp_path_factory.mktemp("ends") / "planes.brep"
+    shape.exportBrep(str(path))
+    shape = read(path)
+    return path, edge_at(shape, (10, 10)), edge_at(shape, (10, 20)), edge_at(shape, (0, 15)), wall
+
+
+def test_lets_the_ends_of_a_blend_follow_edges_and_faces(planes_with_ends, tmp_path):
+    path, start, end, curve, wall = planes_with_ends
+    out, report = tmp_path / "out.brep", tmp_path / "report.json"
+    done = run("blend", path, "-o", out, "--from", start, "--to", end, "--ends", curve, "--end-faces", "Face3",
+               "--report", report)
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    assert done.stdout.startswith("Meets all 4 edges (in position only: ") and "on face 3" in done.stdout
+    sides = json.loads(report.read_text())["blend"]["sides"]
+    assert sorted((side["edge"], side["asked"]) for side in sides) == sorted(
+        [(0, "G0"), (curve, "G0"), (start, "G1"), (end, "G1")])
+    face = read(out)
+    on_wall = [vertex.Point.x for vertex in face.Vertexes if vertex.Point.x > 10]
+    assert len(on_wall) == 2 and all(abs(x - 20) < 1e-6 for x in on_wall)
+    assert max(point.x for edge in face.Edges for point in edge.discretize(50)) < 20 + 1e-6
+
+
+def test_refuses_ends_that_make_no_sense(planes_with_ends, tmp_path):
+    path, start, end, curve, _ = planes_with_ends
+    out, sides = tmp_path / "out.brep", ("--from", start, "--to", end)
+    other = next(number for number in range(1, 5) if number != start)
+    assert f"Edge {other} leads from no end" in refused("blend", path, "-o", out, *sides, "--ends", other)
+    assert "belongs to one of its sides" in refused("blend", path, "-o", out, *sides, "--ends", start)
+    assert "There is no face 9" in refused("blend", path, "-o", out, *sides, "--end-faces", 9)
+    assert not out.exists()
+
+
 def test_refuses_blends_that_make_no_sense(two_planes, tmp_path):
     path, start, end = two_planes
     out = tmp_path / "out.brep"

@@ -27,8 +27,8 @@ class BlendFeature(SolvedFeature):
 
 
 def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Optional[Mapping[Any, str]] = None,
-               to_continuity: Optional[Mapping[Any, str]] = None, pairs=(), from_curve=None, to_curve=None,
-               **options) -> App.DocumentObject:
+               to_continuity: Optional[Mapping[Any, str]] = None, pairs=(), from_curve=None, to_curve=None, ends=(),
+               cuts=(), **options) -> App.DocumentObject:
     """Makes a surface that joins chains of free edges, beside the first one's object in the document, computed.
 
     from_edges       (object, ["Edge3"]): one edge of a smooth chain is enough
@@ -40,6 +40,8 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
     from_curve       (sketch, ["Edge1"]), a list of such links, or an object for all its edges: a curve on the faces of
                      the first side, or a little off them, that it is set back to
     to_curve         the same for the other side
+    ends             what the ends of a blend between open sides follow, a list of (object, ["Edge3", "Face2"])
+    cuts             edges from rim to rim that show where a junction is cut, a list of (object, ["Edge1"])
     options          those of fairing.blend()
     Raises FairingError (or NativeModuleError) with one sentence, and then the document is as it was.
     """
@@ -47,7 +49,7 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
     beside = first.objects[0]
     container = container_for_results(beside)
     sides = BlendSides(first, second, container, pairs_of(pairs, first, second),
-                       (side_links(from_curve), side_links(to_curve)))
+                       (side_links(from_curve), side_links(to_curve)), side_links(ends), side_links(cuts))
     request = sides.request(**options)
     solve(request, sides)
     obj = beside.Document.addObject("Part::FeaturePython", name)
@@ -66,7 +68,7 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
 def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
                  from_continuity: Optional[Mapping[Any, str]] = None,
                  to_continuity: Optional[Mapping[Any, str]] = None, pairs=None, from_curve=None, to_curve=None,
-                 **changes) -> App.DocumentObject:
+                 ends=None, cuts=None, **changes) -> App.DocumentObject:
     """Changes some choices of a blend (those of make_blend) and computes it again; the others stay as they are. With []
     a side has no curve any more.
 
@@ -81,7 +83,8 @@ def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
         pairs = properties.read_pairs(obj)
     curves = tuple(was if given is None else side_links(given)
                    for was, given in zip(properties.read_curves(obj), (from_curve, to_curve)))
-    sides = BlendSides(first, second, container_of(obj), pairs or (), curves)
+    sides = BlendSides(first, second, container_of(obj), pairs or (), curves,
+                       obj.Ends if ends is None else side_links(ends), obj.Cuts if cuts is None else side_links(cuts))
     request = sides.request(**{**properties.read_choices(obj), **changes})
     solve(request, sides)
     properties.write_request(obj, request, sides)

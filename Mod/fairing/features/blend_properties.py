@@ -54,6 +54,12 @@ ASKED = (
      "0.5"),
     ("Pairs", "App::PropertyStringList", "Shape",
      "Vertices of both sides that belong together, one pair a line: Vertex3=Vertex7"),
+    ("Ends", "App::PropertyLinkSubListGlobal", "Boundary",
+     "Edges, and faces by their borders or as walls, that the ends of a blend between open sides follow"),
+    ("Ring", "App::PropertyBool", "Boundary",
+     "Open chains of the side it ends at are sides of their own: they come to a vertex with that it starts from"),
+    ("Cuts", "App::PropertyLinkSubListGlobal", "Shape",
+     "Edges from rim to rim, of any objects, that show where a junction is cut"),
     ("GapTolerance", "App::PropertyLength", "Boundary",
      "Largest distance of an edge from the surface; 0: a millionth of the diagonal of both chains"),
     *choice_properties.chosen("Continuity", "AngleTolerance", "Energy", "Degree", "MaxPoles"),
@@ -66,7 +72,7 @@ MEASURED = tuple(item for item in fill_properties.MEASURED if item[0] not in ("L
 NAMES = {"continuity": "Continuity", "from_reach": "FromReach", "to_reach": "ToReach",
          "from_reach_end": "FromReachEnd", "to_reach_end": "ToReachEnd", "from_departure": "FromDeparture",
          "to_departure": "ToDeparture", "from_flip": "FromFlip", "to_flip": "ToFlip", "from_setback": "FromSetback",
-         "to_setback": "ToSetback", "match": "Match", "alignment": "Alignment", "energy": "Energy",
+         "to_setback": "ToSetback", "match": "Match", "ring": "Ring", "alignment": "Alignment", "energy": "Energy",
          "gap_tolerance": "GapTolerance", "angle_tolerance": "AngleTolerance", "degree": "Degree",
          "max_poles": "MaxPoles", "result": "ResultMode"}
 NONE_AT_ZERO = ("gap_tolerance", "from_reach_end", "to_reach_end")
@@ -88,6 +94,7 @@ def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSi
     obj.Pairs = ["=".join(pair) for pair in named_pairs(sides.pairs, sides.from_side, sides.to_side)]
     for name, curve in zip(("FromCurve", "ToCurve"), sides.curves):
         setattr(obj, name, [(part, names or [""]) for part, names in curve])  # "": the whole object
+    obj.Ends, obj.Cuts = sides.ends, sides.cuts
     for member, name in NAMES.items():
         setattr(obj, name, getattr(request, member) or 0)
 
@@ -113,7 +120,8 @@ def to_side(obj: App.DocumentObject) -> Side:
 
 def read_sides(obj: App.DocumentObject) -> BlendSides:
     """What an object's blend joins, in the coordinates it lives in. Raises ValueError with one sentence."""
-    return BlendSides(from_side(obj), to_side(obj), container_of(obj), read_pairs(obj), read_curves(obj))
+    return BlendSides(from_side(obj), to_side(obj), container_of(obj), read_pairs(obj), read_curves(obj), obj.Ends,
+                      obj.Cuts)
 
 
 def read_choices(obj: App.DocumentObject) -> dict:
@@ -127,7 +135,7 @@ def write_report(obj: App.DocumentObject, blend) -> None:
     """Stores what was measured; edges by their names in the objects they belong to."""
     fill_properties.write_measured(obj, blend)
     sides = read_sides(obj)
-    obj.ReportEdges = [sides.joined.name(side["edge"]) for side in blend.report["sides"]]
+    obj.ReportEdges = [sides.name_of(side) for side in blend.report["sides"]]
 
 
 def _wishes(obj: App.DocumentObject, name: str) -> dict[str, str]:

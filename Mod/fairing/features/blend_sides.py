@@ -69,14 +69,16 @@ NO_CURVES: Curves = ([], [])
 
 
 class BlendSides:
-    """Both sides, and the shape that holds the objects of both and the curves they are set back to, in a container's
-    coordinates."""
+    """Both sides, and the shape that holds the objects of both, the curves they are set back to, what the ends
+    follow and the edges that show cuts, in a container's coordinates."""
 
     def __init__(self, from_side: Side, to_side: Side, container, pairs: Iterable[Pair] = (),
-                 curves: Curves = NO_CURVES):
+                 curves: Curves = NO_CURVES, ends: Iterable[Link] = (), cuts: Iterable[Link] = ()):
         self.from_side, self.to_side, self.pairs, self.curves = from_side, to_side, tuple(pairs), curves
+        self.ends, self.cuts = links_of(ends), links_of(cuts)
         self._curve_edges = [edges_of(curve) for curve in curves]
-        self.joined = JoinedShapes(from_side.objects + to_side.objects, container, sum(self._curve_edges, []))
+        objects = from_side.objects + to_side.objects + [obj for obj, _ in self.ends]
+        self.joined = JoinedShapes(objects, container, sum(self._curve_edges, edges_of(self.cuts)))
 
     def request(self, **choices) -> BlendRequest:
         """What is asked of the whole shape. Raises ValueError where an object has no edge of that number."""
@@ -84,8 +86,26 @@ class BlendSides:
                   for edge, word in side.wishes.items()}
         pairs = [tuple(self.joined.vertex_number(*place) for place in pair) for pair in self.pairs]
         curves = dict(zip(("from_curve", "to_curve"), map(self._numbers, self._curve_edges)))
+        ends, faces = self.end_numbers()
         return BlendRequest.of(self._numbers(self.from_side.edges), self._numbers(self.to_side.edges), wishes, pairs,
-                               **{**curves, **choices})
+                               **{**curves, "ends": ends, "end_faces": faces, "cuts": self._numbers(edges_of(self.cuts)),
+                                  **choices})
+
+    def end_numbers(self) -> tuple[list[int], list[int]]:
+        """The edges and the faces of the whole shape that the ends follow. Raises ValueError where there is none of
+        that number, or something else is named."""
+        edges, faces = [], []
+        for obj, names in self.ends:
+            for name in names:
+                if subelements.is_face(name):
+                    faces.append(self.joined.face_number(obj, subelements.only_faces(name)[0]))
+                else:
+                    edges.append(self.joined.number(obj, subelements.only_edges(name)[0]))
+        return edges, faces
+
+    def name_of(self, side: dict) -> str:
+        """What a side of a report runs along: an edge, or the face it slides on."""
+        return self.joined.name(side["edge"]) if side["edge"] else self.joined.face_name(side["face"])
 
     def _numbers(self, edges: Iterable[Place]) -> list[int]:
         return [self.joined.number(*edge) for edge in edges]

@@ -49,10 +49,13 @@ class JoinedShapes:
         """The same for a vertex."""
         if not self.is_joined:
             return vertex
-        for number, places in self._find_places("Vertexes").items():
-            if (obj, vertex) in places:
-                return number
-        raise ValueError(f"There is no vertex {vertex}: {obj.Label} has {len(self._shapes[obj].Vertexes)}.")
+        return self._number_of("Vertexes", "vertex", (obj, vertex))
+
+    def face_number(self, obj: App.DocumentObject, face: int) -> int:
+        """The same for a face."""
+        if not self.is_joined:
+            return face
+        return self._number_of("Faces", "face", (obj, face))
 
     def place(self, number: int) -> Place:
         """The object that an edge of the whole shape belongs to, and the edge's number there."""
@@ -62,6 +65,11 @@ class JoinedShapes:
         """The name of an edge of the whole shape, with its object's in front where there are several."""
         obj, edge = self.place(number)
         return f"{obj.Name}.Edge{edge}" if len(self.objects) > 1 else f"Edge{edge}"
+
+    def face_name(self, number: int) -> str:
+        """The same for a face."""
+        obj, face = self._find_places("Faces")[number][0] if self.is_joined else (self.objects[0], number)
+        return f"{obj.Name}.Face{face}" if len(self.objects) > 1 else f"Face{face}"
 
     def faces_beside(self, number: int) -> list[int]:
         """The numbers, in their own object, of the faces that have an edge of the whole shape."""
@@ -79,8 +87,15 @@ class JoinedShapes:
     def _no_edge(self, obj: App.DocumentObject, edge: int) -> ValueError:
         return ValueError(f"There is no edge {edge}: {obj.Label} has {len(self._shapes[obj].Edges)}.")
 
+    def _number_of(self, kind: str, word: str, place: Place) -> int:
+        for number, places in self._find_places(kind).items():
+            if place in places:
+                return number
+        obj, own = place
+        raise ValueError(f"There is no {word} {own}: {obj.Label} has {len(getattr(self._shapes[obj], kind))}.")
+
     def _find_places(self, kind: str) -> dict[int, list[Place]]:
-        """Whose the whole shape's "Edges", or "Vertexes", are: of several objects where these share them."""
+        """Whose the whole shape's "Edges", "Vertexes" or "Faces" are: of several objects where these share them."""
         own: dict[int, list] = {}
         for obj, shape in self._shapes.items():
             for number, there in enumerate(getattr(shape, kind), 1):

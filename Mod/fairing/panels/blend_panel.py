@@ -15,10 +15,12 @@ from ..translation import translate
 from .blend_display import BlendDisplay
 from .blend_session import CHOICES, FROM, TO, BlendSession
 from .edge_panel import EdgePanel
+from .ends_list import EndsList
 from .fill_choices import LimitChoices
 from .more_choices import MoreChoices
 from .pair_list import PairList
 from .reach_rows import ReachRows
+from .ring_row import RingRow
 from .setback_curves import SetbackCurves
 from .side_tables import SideTables
 from .status import Status
@@ -56,7 +58,9 @@ class BlendPanel(EdgePanel):
         self._more = MoreChoices(self._ui, self._session)
         self._pairs = PairList(self._ui, self._session)
         self._curves = SetbackCurves(self._ui, self._session)
-        for part in (self._more, self._pairs, self._curves):
+        self._ends = EndsList(self._ui, self._session)
+        self._ring = RingRow(self._ui, self._session)
+        for part in (self._more, self._pairs, self._curves, self._ends, self._ring):
             part.changed.connect(self._refresh)
         self._settled = QtCore.QTimer(self._ui)
         self._settled.setSingleShot(True)
@@ -77,6 +81,10 @@ class BlendPanel(EdgePanel):
         if self._curves.is_picking:
             self._curves.picked(obj, name)
             return
+        for part in (self._ends, self._ring):
+            if part.is_picking:
+                part.picked(obj, name)
+                return
         if not subelements.is_edge(name):
             selection.tell(translate("Fairing", "Pick an edge: a blend starts from edges and ends at edges."))
             return
@@ -133,6 +141,10 @@ class BlendPanel(EdgePanel):
         self._session.keep(value[0])
         return super()._show_result(value)
 
+    def _show_report(self, report: dict) -> None:
+        super()._show_report(report)
+        self._ends.show(report)
+
     def _refresh(self, *_) -> None:
         """Something changed: show the sides, and have the surface computed."""
         session = self._session
@@ -146,6 +158,8 @@ class BlendPanel(EdgePanel):
         self._more.show_sides()
         self._pairs.show()
         self._curves.show()
+        self._ends.show()
+        self._ring.show()
         self._show_picks(any(session.sides))
         self._point_at(self._pointed)
         self._show_unsolved("")

@@ -23,7 +23,7 @@ FROM, TO = range(2)
 # Choices that a strip alone has: a junction is asked none of them.
 STRIP_CHOICES = ("from_reach", "to_reach", "from_reach_end", "to_reach_end", "from_departure", "to_departure",
                  "from_flip", "to_flip", "from_setback", "to_setback", "match", "alignment")
-CHOICES = ("continuity", *STRIP_CHOICES, "energy", "gap_tolerance", "angle_tolerance", "degree", "max_poles", "result")
+CHOICES = ("continuity", *STRIP_CHOICES, "ring", "energy", "gap_tolerance", "angle_tolerance", "degree", "max_poles", "result")
 
 _REACHES = (("from_reach", "from_reach_end"), ("to_reach", "to_reach_end"))
 
@@ -36,6 +36,8 @@ class BlendSession:
         self.sides: list[Optional[Side]] = list(sides)
         self.pairs: tuple[Pair, ...] = ()
         self.curves: list[list[Link]] = [[], []]  # what either side is set back to
+        self.ends: list[Link] = []  # what the ends follow
+        self.cuts: list[Link] = []  # edges that show where a junction is cut
         self.loops: list[list[dict]] = [[], []]
         self.problem = NO_SIDE
         self._chains: Optional[BlendChains] = None
@@ -46,7 +48,8 @@ class BlendSession:
         """To edit a blend. Raises ValueError where its properties make no sense."""
         sides = (properties.from_side(obj), properties.to_side(obj))
         session = cls(obj.Document, BlendRequest(**properties.read_choices(obj)), sides, obj)
-        session.pairs = properties.read_pairs(obj)
+        session.pairs, session.ends = properties.read_pairs(obj), links_of(obj.Ends)
+        session.cuts = links_of(obj.Cuts)
         session.curves = list(properties.read_curves(obj))
         return session
 
@@ -93,8 +96,17 @@ class BlendSession:
         """Whether an edge of the whole shape was picked, and not found by itself."""
         return any(row["edge"] == number and not row["found"] for row in self.loop)
 
+    def measured_end(self, base: App.DocumentObject, name: str, report: dict) -> Optional[dict]:
+        """The side of a report that runs along an edge, or on a face, that an end follows."""
+        joined, of_sides = self._chains.sides.joined, {row["edge"] for row in self.loop}
+        if subelements.is_face(name):
+            kind, number = "face", joined.face_number(base, subelements.only_faces(name)[0])
+        else:
+            kind, number = "edge", joined.number(base, subelements.only_edges(name)[0])
+        return next((side for side in report["sides"] if side[kind] == number and side["edge"] not in of_sides), None)
+
     def clear(self) -> None:
-        self.sides = [None, None]
+        self.sides, self.ends, self.cuts = [None, None], [], []
 
     def side_of_vertex(self, base: App.DocumentObject, name: str) -> Optional[int]:
         """Which side's edges a vertex ends, None for neither."""
@@ -132,8 +144,11 @@ class BlendSession:
             objects = {obj for side in present for obj in side.objects}
             self.pairs = tuple(pair for pair in self.pairs if objects.issuperset(obj for obj, _ in pair))
             pairs = self.pairs if len(present) == 2 else ()
-            self._chains = BlendChains(BlendSides(present[0], present[-1], self.container, pairs, tuple(self.curves)))
+            ends, cuts = (self.ends, self.cuts) if len(present) == 2 else ((), ())
+            self._chains = BlendChains(
+                BlendSides(present[0], present[-1], self.container, pairs, tuple(self.curves), ends, cuts))
             self.loops = self._chains.rows(self.sides, self.request.continuity)
+            self._chains.sides.ends, self._chains.sides.cuts = self.asked_ends, self.asked_cuts
         except ValueError as error:
             self.problem = str(error)
             return
@@ -195,6 +210,26 @@ class BlendSession:
         return None not in self.sides and not (self._chains and self._chains.is_junction)
 
     @property
+    def is_ring(self) -> bool:
+        """Whether there are three chains or more, not all of them closed."""
+        return None not in self.sides and not self.is_strip and not self._chains.is_closed
+
+    @property
+    def is_junction(self) -> bool:
+        """Whether there are three chains or more, all of them closed."""
+        return None not in self.sides and not self.is_strip and self._chains.is_closed
+
+    @property
+    def asked_cuts(self) -> list[Link]:
+        """Edges that show the cuts: of a junction alone."""
+        return self.cuts if self.is_junction else []
+
+    @property
+    def asked_ends(self) -> list[Link]:
+        """What the ends follow: a junction has none."""
+        return self.ends if self.is_strip else []
+
+    @property
     def is_closed(self) -> bool:
         return self.is_strip and self._chains is not None and self._chains.is_closed
 
@@ -208,4 +243,5 @@ class BlendSession:
         plain = BlendRequest()
         idle = set() if self.is_strip else set(STRIP_CHOICES)
         idle |= {"from_reach_end", "to_reach_end"} if self.is_closed else {"alignment"}
+        idle |= set() if self.is_ring else {"ring"}
         return {name: getattr(plain if name in idle else self.request, name) for name in CHOICES}

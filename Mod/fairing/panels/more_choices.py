@@ -105,7 +105,7 @@ class MoreChoices(QtCore.QObject):
     def _differ(self) -> bool:
         """Whether anything here was chosen, so that it should be seen."""
         plain = type(self._session.request)()
-        return bool(self._session.pairs) or any(self._session.curves) or any(
+        return bool(self._session.pairs or self._session.ends) or any(self._session.curves) or any(
             getattr(plain, name) != getattr(self._session.request, name) for name in self._chosen())
 
     def _fold(self, *_) -> None:

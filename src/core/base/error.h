@@ -72,6 +72,15 @@ enum class ErrorCode {
   PairsCross,           ///< where, detail = "3=7": the pair is out of order with the others
   AlignmentOutOfRange,  ///< value = the alignment given
   AlignmentUnused,      ///< detail = "open" or "paired": why the sides have no start to move
+  EndsUnused,           ///< edge of a closed side: it has no ends
+  EndOnSide,            ///< edge: picked for an end of a blend, and for a side
+  EndJoinsNothing,      ///< edge, where, value = mm off: leads from no end of a side to the other's
+  EndTwice,             ///< edge or face, where: a second way for an end that has one
+  EndTurns,             ///< edge, where, value = degrees: a corner inside an end
+  EndOffFace,           ///< face, where, value = mm: how far off it the nearest end of a blend is
+  EndLeavesFace,        ///< face, where, value = mm: a sliding end goes that far beyond its border
+  EndAlongSide,         ///< edge of the side, where, value = degrees: no corner of a patch
+  EndAgainstSide,       ///< edge of the side, where, value = degrees off the direction asked for
   SetbackPairs,         ///< pairs of vertices asked for together with a setback
   LayoutUnfit,          ///< detail = "quad", "star", ...: the loop does not suit the asked layout
   // numerics

@@ -8,8 +8,8 @@
 
 namespace fairing {
 
-/// Why the chains cannot be left as the options ask: ReachVariesRound, DepartureNotTangent or
-/// DepartureAlongEdge.
+/// Why the chains cannot be left as the options ask: ReachVariesRound, DepartureNotTangent,
+/// DepartureAlongEdge or EndAgainstSide.
 [[nodiscard]] std::optional<Error> checkDepartures(const boundary::ChainPair& pair,
                                                    const BlendOptions& options);
 

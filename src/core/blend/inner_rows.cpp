@@ -31,7 +31,29 @@ struct Row {
   std::vector<double> t;     // parameters of the side that belong to the points
   /// The stretch of its chain that the side is, by length.
   double from = 0.0, to = 1.0;
+  /// Whether it begins, and ends, where the strip follows something: position and twist of the
+  /// corner are fixed by what does, so the first two inner points stay.
+  std::array<bool, 2> follows{false, false};
+
+  [[nodiscard]] bool stays(std::size_t i) const {
+    return (follows[0] && i < 2) || (follows[1] && i + 2 >= inner.size());
+  }
 };
+
+// Whether a chain starts, and ends, where the strip follows something.
+std::array<bool, 2> followsEnds(const layout::LayoutPatch& patch, std::size_t chain) {
+  const bool west = patch.edges[static_cast<std::size_t>(PatchEdge::West)].has_value();
+  const bool east = patch.edges[static_cast<std::size_t>(PatchEdge::East)].has_value();
+  return chain == 0 ? std::array{west, east} : std::array{east, west};
+}
+
+std::array<bool, 2> followsEnds(const layout::PatchLayout& layout, std::size_t chain) {
+  std::array<bool, 2> follows{false, false};
+  for (const layout::LayoutPatch& patch : layout.patches)
+    for (const std::size_t end : {0, 1})
+      follows[end] = follows[end] || followsEnds(patch, chain)[end];
+  return follows;
+}
 
 std::vector<Row> rowsOf(const StripRows& strip) {
   std::vector<Row> rows;
@@ -50,6 +72,7 @@ std::vector<Row> rowsOf(const StripRows& strip) {
               knots,
               {}};
       for (int i = 0; i < knots.poleCount(); ++i) row.t.push_back(knots.greville(i));
+      row.follows = followsEnds(patch, chain);
       row.from = length[chain];
       row.to = length[chain] += row.side->length;
       rows.push_back(std::move(row));
@@ -97,17 +120,33 @@ Differences crossOf(const Row& row, const solver::Points& points) {
   return cross;
 }
 
+// Reach fades to 1, level, towards an end that follows something: 0 there, 1 at a free end and in
+// the middle of two others. `follows`: at the start of the chain, and at its end.
+double fade(std::array<bool, 2> follows, double share) {
+  const double s = follows[0] ? share : 1.0 - share;
+  if (follows[0] && follows[1]) return 16.0 * s * s * (1.0 - s) * (1.0 - s);
+  return follows[0] || follows[1] ? s * s * (3.0 - 2.0 * s) : 1.0;
+}
+
 // The spline that is `reach` times R_v at the Greville abscissae: where R_v meets what is
 // collocated there, so does it.
-Differences scaledAtGreville(const Row& row, const Differences& cross, const Reach& reach) {
+Differences scaledAtGreville(const Row& row,
+                             const Differences& cross,
+                             const Reach& reach,
+                             std::array<bool, 2> follows) {
   const auto n = static_cast<Eigen::Index>(row.t.size());
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd factors(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double t = row.t[static_cast<std::size_t>(i)];
+    if (row.stays(static_cast<std::size_t>(i))) {
+      values(i, i) = factors[i] = 1.0;
+      continue;
+    }
     const spline::BasisRow basis = spline::basisRow(row.knots, t);
     values.row(i).segment(basis.first, basis.values.cols()) = basis.values.row(0);
-    factors[i] = reach.at(row.chain, row.from + t * (row.to - row.from));
+    const double share = row.from + t * (row.to - row.from);
+    factors[i] = 1.0 + (reach.at(row.chain, share) - 1.0) * fade(follows, share);
   }
   return values.partialPivLu().solve(factors.asDiagonal() * (values * cross));
 }
@@ -124,7 +163,8 @@ Result<solver::Points> nearestThatMeet(const StripRows& strip, const solver::Poi
   program.fixed.assign(static_cast<std::size_t>(wanted.rows()), 1);
   program.values = wanted;
   for (const Row& row : rowsOf(strip))
-    for (const int point : row.inner) program.fixed[static_cast<std::size_t>(point)] = 0;
+    for (std::size_t i = 0; i < row.inner.size(); ++i)
+      if (!row.stays(i)) program.fixed[static_cast<std::size_t>(row.inner[i])] = 0;
   program.ties = std::move(constraints->ties);
   program.blocks = std::move(constraints->blocks);
   auto solution = solver::solve(program);
@@ -138,8 +178,9 @@ HeldPoints scaledRows(const StripRows& strip, const Reach& reach) {
   solver::Points points = pointsOf(strip.layout, strip.patches);
   for (const Row& row : rowsOf(strip)) {
     Differences cross = crossOf(row, points);
-    if (reach.varies(row.chain))
-      cross = scaledAtGreville(row, cross, reach);
+    const std::array<bool, 2> follows = followsEnds(strip.layout, row.chain);
+    if (reach.varies(row.chain) || follows[0] || follows[1])
+      cross = scaledAtGreville(row, cross, reach, follows);
     else
       cross *= reach.start[row.chain];
     for (std::size_t i = 0; i < row.inner.size(); ++i)
@@ -177,7 +218,7 @@ Result<HeldPoints> turnedRows(const StripRows& strip, std::array<bool, 2> turn) 
                 static_cast<double>(row.inner.size());
     for (std::size_t i = 0; i < row.inner.size(); ++i) {
       const Vector3d direction = askedDirection(*row.side, row.t[i]);
-      if (direction.allFinite())
+      if (direction.allFinite() && !row.stays(i))
         points.row(row.inner[i]) = points.row(row.outer[i]) + length * direction.transpose();
     }
   }

@@ -22,7 +22,8 @@ struct StripRows {
 
 /// The inner rows at `reach` times their distance from the outer ones. One factor keeps tangency to
 /// the last bit; one that varies along the side is met where tangency is collocated, so that this
-/// stays exact, and between by interpolation.
+/// stays exact, and between by interpolation. Towards an end of the strip that follows something it
+/// fades to 1.
 [[nodiscard]] HeldPoints scaledRows(const StripRows& strip, const Reach& reach);
 
 /// Whether the strip leaves the first chain, and the second one, anywhere on the half of the

@@ -18,6 +18,7 @@ Result<NaturalStrip> NaturalStrip::make(const boundary::ChainPair& pair,
   if (const auto wrong = checkDepartures(pair, options)) return fail(*wrong);
   boundary::ChainPair asked = pair;
   for (std::size_t k = 0; k < asked.sides.sides.size(); ++k) {
+    if (pair.isEnd(k)) continue;
     const std::size_t chain = pair.chainOf(k);
     asked.sides.sides[k].departure = options.departure[chain];
     asked.sides.sides[k].leaving = options.leaving[chain];

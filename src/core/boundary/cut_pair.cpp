@@ -14,16 +14,29 @@ EdgeChain sideBetween(const ChainPair& pair, LoopPlace from, LoopPlace to, int m
                  : sideOfStretches(pair.sides, stretches, mostPoles);
 }
 
-void addCorners(const ChainPair& pair, BoundaryLoop& loop) {
-  const std::size_t n = loop.sides.size() / 2;
-  loop.further = {n};
+// Of n patches: `second` is the position of the second chain's first side.
+void addCorners(const ChainPair& pair, std::size_t n, std::size_t second, BoundaryLoop& loop) {
+  if (!pair.isJoined(0) && !pair.isJoined(1)) loop.further = {n};
   for (std::size_t k = 0; k < loop.sides.size(); ++k) {
+    const bool isOfChain = k < n || (k >= second && k < second + n);
+    const bool isLast = k + 1 == n || k + 1 == second + n;
+    const bool isFree = isLast && !pair.isJoined(k < n ? 0 : 1);
+    const BoundarySide &before = loop.sides[k], &after = loop.sides[loop.next(k)];
     Corner corner;
-    const bool isEnd = loop.next(k) <= k;
-    if (!isEnd || pair.closed) corner = chainCorner(loop.sides[k], loop.sides[loop.next(k)]);
-    corner.apart = isEnd && (!pair.closed || n == 1);
+    if (pair.closed || (isOfChain && !isLast))
+      corner = chainCorner(before, after);
+    else if (!isFree)
+      corner = cornerBetween(before, after);
+    corner.apart = isFree && (!pair.closed || n == 1);
     loop.corners.push_back(corner);
   }
+}
+
+// The sides of an end as one.
+EdgeChain endBetween(const ChainPair& pair, std::size_t first, std::size_t end, int mostPoles) {
+  std::vector<Stretch> stretches;
+  for (std::size_t k = first; k < end; ++k) stretches.push_back({k});
+  return sideOfStretches(pair.sides, stretches, mostPoles);
 }
 
 }  // namespace
@@ -34,9 +47,14 @@ Result<CutLoop> cutPair(const ChainPair& pair, const std::vector<StripCut>& cuts
   for (std::size_t k = 0; k < n; ++k)
     chains.push_back(
         sideBetween(pair, cuts[k].first, cuts[(k + 1) % cuts.size()].first, mostPoles));
+  if (pair.isJoined(0))
+    chains.push_back(endBetween(pair, pair.firstCount, pair.secondStart(), mostPoles));
+  const std::size_t second = chains.size();
   for (std::size_t k = n; k-- > 0;)
     chains.push_back(
         sideBetween(pair, cuts[(k + 1) % cuts.size()].second, cuts[k].second, mostPoles));
+  if (pair.isJoined(1))
+    chains.push_back(endBetween(pair, pair.secondEnd(), pair.sides.sides.size(), mostPoles));
   CutLoop cut;
   std::vector<BoundarySide> sides;
   for (EdgeChain& chain : chains) {
@@ -46,7 +64,7 @@ Result<CutLoop> cutPair(const ChainPair& pair, const std::vector<StripCut>& cuts
   auto loop = measureSides(std::move(sides));
   if (!loop) return fail(loop.error());
   loop->diagonal = pair.sides.diagonal;
-  addCorners(pair, *loop);
+  addCorners(pair, n, second, *loop);
   cut.loop = std::move(*loop);
   return cut;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <array>
 #include <vector>
 
 #include "core/base/result.h"
@@ -26,13 +27,26 @@ struct SideChain {
 /// Two chains that a strip is to join.
 struct ChainPair {
   /// The sides of the first chain, then those of the second one, which runs against it, as two
-  /// chains of a loop; at the ends of open ones the corners are `apart`.
+  /// chains of a loop; at the ends of open ones the corners are `apart`. With ends (strip_ends.h)
+  /// they are one chain round: first, its end, second, its end.
   BoundaryLoop sides;
   std::size_t firstCount = 0;  ///< number of sides of the first chain
   bool closed = false;         ///< both chains are
   ChainMatch match = {};       ///< which points belong together
+  /// Numbers of the sides that lead from the end of the first chain to the second one, and back
+  /// from the end of that; 0 = a free end.
+  std::array<std::size_t, 2> endCounts = {};
 
-  /// 0 for a side of the first chain, 1 for one of the second.
+  /// The position of the second chain's first side, and the one behind its last.
+  [[nodiscard]] std::size_t secondStart() const { return firstCount + endCounts[0]; }
+  [[nodiscard]] std::size_t secondEnd() const { return sides.sides.size() - endCounts[1]; }
+  /// Whether the end of a chain, 0 or 1, is joined to the start of the other one by sides.
+  [[nodiscard]] bool isJoined(std::size_t chain) const { return endCounts[chain] > 0; }
+  /// Whether a side belongs to neither chain.
+  [[nodiscard]] bool isEnd(std::size_t side) const {
+    return side >= secondEnd() || (side >= firstCount && side < secondStart());
+  }
+  /// 0 for a side of the first chain, 1 for one of the second; of no end.
   [[nodiscard]] std::size_t chainOf(std::size_t side) const { return side < firstCount ? 0 : 1; }
 };
 

@@ -85,10 +85,9 @@ class Matcher {
   explicit Matcher(const ChainPair& pair)
       : pair_(pair),
         a_(pair.sides.sides, 0, pair.firstCount, ends()),
-        b_(pair.sides.sides, pair.firstCount, pair.sides.sides.size() - pair.firstCount, ends()) {
-    const std::size_t n = pair.firstCount;
-    for (const double share : cornersOf(0, n, a_)) x_.push_back(share);
-    for (const double share : cornersOf(n, pair.sides.sides.size() - n, b_))
+        b_(pair.sides.sides, pair.secondStart(), pair.secondEnd() - pair.secondStart(), ends()) {
+    for (const double share : cornersOf(0, pair.firstCount, a_)) x_.push_back(share);
+    for (const double share : cornersOf(pair.secondStart(), pair.secondEnd(), b_))
       y_.push_back(pair.closed ? wrapped(1.0 - share) : 1.0 - share);
     std::sort(x_.begin(), x_.end());
     std::sort(y_.begin(), y_.end());
@@ -113,11 +112,12 @@ class Matcher {
   }
   [[nodiscard]] bool hasCorners() const { return !x_.empty() || !y_.empty(); }
   [[nodiscard]] std::vector<double> cornersOf(std::size_t first,
-                                              std::size_t count,
+                                              std::size_t end,
                                               const ChainWalk& walk) const {
     std::vector<double> shares;
-    for (std::size_t k = first; k < first + count; ++k)
-      if (isCut(pair_.sides.corners[k])) shares.push_back(wrapped(walk.startOf(k + 1)));
+    for (std::size_t k = first; k < end; ++k)
+      if ((pair_.closed || k + 1 < end) && isCut(pair_.sides.corners[k]))
+        shares.push_back(wrapped(walk.startOf(k + 1)));
     return shares;
   }
   [[nodiscard]] Error cornersDiffer() const {

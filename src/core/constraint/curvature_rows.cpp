@@ -116,12 +116,17 @@ class Collector {
   solver::ConstraintBlock block_;
 };
 
-// How many poles next to an end have no row of their own: those of a corner, where `other` takes
-// part, and at the start of a smooth seam, whose patches share them.
-int leftOut(ConstrainedEdge::End end, bool atSeam, bool sharedFromStart, bool otherIsCurved) {
+// How many poles next to an end have no row of their own: those of a corner that belong to the
+// `other` edge there (its outer row, its inner one where it is tangent, and one shared where it is
+// curved), and at the start of a smooth seam, whose patches share them.
+int leftOut(ConstrainedEdge::End end,
+            bool atSeam,
+            bool sharedFromStart,
+            const std::optional<ConstrainedEdge>& other) {
   if (end != ConstrainedEdge::End::Held) return 0;
   if (atSeam) return sharedFromStart ? 2 : 0;
-  return otherIsCurved ? 3 : 2;
+  if (!other->isTangent()) return 1;
+  return asksForCurvature(*other) ? 3 : 2;
 }
 
 }  // namespace
@@ -143,7 +148,7 @@ std::optional<solver::ConstraintBlock> curvatureRows(
     }
     for (std::size_t k = 0; k < 4; ++k) {
       if (!curved[k]) continue;
-      const auto &next = curved[(k + 1) % 4], &previous = curved[(k + 3) % 4];
+      const auto& next = curved[(k + 1) % 4];
       const ConstrainedEdge& edge = *curved[k]->edge;
       if (edge.start == ConstrainedEdge::End::Closed) {
         for (const Collocation& at : collocation(edge)) collector.add(*curved[k], at);
@@ -151,8 +156,8 @@ std::optional<solver::ConstraintBlock> curvatureRows(
       }
       if (next && edge.end == ConstrainedEdge::End::Held) collector.addCorner(*curved[k], *next);
       const bool startsAtSeam = !patches[p][(k + 3) % 4], endsAtSeam = !patches[p][(k + 1) % 4];
-      const int first = leftOut(edge.start, startsAtSeam, true, previous.has_value());
-      const int last = leftOut(edge.end, endsAtSeam, false, next.has_value());
+      const int first = leftOut(edge.start, startsAtSeam, true, patches[p][(k + 3) % 4]);
+      const int last = leftOut(edge.end, endsAtSeam, false, patches[p][(k + 1) % 4]);
       for (int i = first; i < edge.knots.poleCount() - last; ++i) collector.add(*curved[k], i);
     }
   }

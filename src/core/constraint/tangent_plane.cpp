@@ -41,6 +41,39 @@ Error singularAt(const ConstrainedEdge& edge, double s) {
           edge.side->ribbon.curve(t).point};
 }
 
+// The direction in the tangent plane that R_v must not have a share of, for it to leave as asked.
+std::optional<Vector3d> forbiddenDirection(const ConstrainedEdge& edge,
+                                           double s,
+                                           const Vector3d& normal) {
+  const auto& ribbon = edge.side->ribbon;
+  const double t = edge.sideParameter(s);
+  switch (edge.side->departure) {
+    case boundary::Departure::Perpendicular:
+      return ribbon.curve(t).derivative.normalized();
+    case boundary::Departure::Iso:
+      return normal.cross(ribbon.support(t).iso).normalized();
+    case boundary::Departure::Free:
+      break;
+  }
+  return std::nullopt;
+}
+
+// The same at a corner, and its derivative along the edge.
+std::optional<CornerNormal> cornerDeparture(const ConstrainedEdge& edge, bool atStart) {
+  constexpr double kStep = 1e-4;  // of the edge
+  if (edge.side->departure == boundary::Departure::Free || !edge.isTangentAt(atStart ? 0.0 : 1.0))
+    return std::nullopt;
+  const double h = (atStart ? kStep : -kStep) / edge.rate();
+  const double s = atStart ? edge.knots.first() : edge.knots.last();
+  const auto at = [&](double place) -> Vector3d {
+    const Vector3d normal = constraintNormal(edge.side->ribbon, edge.sideParameter(place));
+    return *forbiddenDirection(edge, place, normal);
+  };
+  const CornerNormal n{at(s), (-3.0 * at(s) + 4.0 * at(s + h) - at(s + 2.0 * h)) / (2.0 * h)};
+  if (!n.normal.allFinite() || !n.derivative.allFinite()) return std::nullopt;
+  return n;
+}
+
 // The corner's control points, seen along `before` (u, arriving) and `after` (v, leaving):
 //   R_u = (corner - back) / hu,   R_v = (on - corner) / hv,   R_uv = (on - corner - inside + back)
 //   / (hu hv)
@@ -130,23 +163,6 @@ solver::LinearRow perpendicularRow(const ConstrainedEdge& edge,
   return row;
 }
 
-// The direction in the tangent plane that R_v must not have a share of, for it to leave as asked.
-std::optional<Vector3d> forbiddenDirection(const ConstrainedEdge& edge,
-                                           double s,
-                                           const Vector3d& normal) {
-  const auto& ribbon = edge.side->ribbon;
-  const double t = edge.sideParameter(s);
-  switch (edge.side->departure) {
-    case boundary::Departure::Perpendicular:
-      return ribbon.curve(t).derivative.normalized();
-    case boundary::Departure::Iso:
-      return normal.cross(ribbon.support(t).iso).normalized();
-    case boundary::Departure::Free:
-      break;
-  }
-  return std::nullopt;
-}
-
 // Rows of unit size, lest the rank depend on the knots.
 solver::LinearRow scaled(solver::LinearRow row) {
   double largest = 0.0;
@@ -175,6 +191,10 @@ std::optional<solver::ConstraintBlock> cornerTwist(const ConstrainedEdge& before
     const Vector3d normal = (asked[0].first + asked[1].first).normalized();
     asked = {{normal, 0.5 * (asked[0].second + asked[1].second)}};
   }
+  if (const auto d = cornerDeparture(before, false))
+    asked.emplace_back(d->normal, -v.dot(d->derivative));
+  if (const auto d = cornerDeparture(after, true))
+    asked.emplace_back(d->normal, -u.dot(d->derivative));
   solver::ConstraintBlock block;
   block.solvedFor = {f.inside};
   for (const auto& [normal, twist] : asked) block.rows.push_back(twistRow(f, normal, twist));

@@ -45,6 +45,16 @@ std::vector<std::vector<DirectedSide>> sidesAlongStrips(const LayoutPlan& plan,
   return along;
 }
 
+// Whether polynomial sides are taken over whatever their knots: those of a quad, and what the ends
+// of a strip follow.
+bool takesOver(const LayoutPlan& plan, const Strips& strips, std::size_t strip) {
+  if (plan.kind == LayoutKind::Quad) return true;
+  const auto isEnd = [](const Quad& quad) { return quad.sides[1] >= 0 || quad.sides[3] >= 0; };
+  return plan.kind == LayoutKind::Strip &&
+         strip == static_cast<std::size_t>(strips.uses[0][1].strip) &&
+         std::any_of(plan.mesh.quads.begin(), plan.mesh.quads.end(), isEnd);
+}
+
 bool isRound(const LayoutPlan& plan, std::size_t direction) {
   return plan.closed && direction == 0;
 }
@@ -117,10 +127,9 @@ PatchLayout makeLayout(const LayoutPlan& plan, const LayoutOptions& options) {
   int most = std::max(kLeastAlong, options.maxPoles / kLeastAlong);
   while (true) {
     std::vector<KnotVector> knots;
-    for (const auto& along : sides)
-      knots.push_back(plan.kind == LayoutKind::Quad
-                          ? chooseKnots(along, options.degree, options.fitTolerance, most)
-                          : fittingKnots(along, options.degree, options.fitTolerance, most));
+    for (std::size_t s = 0; s < sides.size(); ++s)
+      knots.push_back((takesOver(plan, strips, s) ? chooseKnots : fittingKnots)(
+          sides[s], options.degree, options.fitTolerance, most));
     const int longest = std::max_element(knots.begin(), knots.end(), byPoles)->poleCount();
     PatchLayout layout = buildLayout(plan, std::move(knots));
     if (layout.pointCount <= options.maxPoles || most == kLeastAlong) return layout;

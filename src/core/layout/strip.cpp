@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/layout/strip.h"
 
+#include <array>
+
 #include "core/boundary/cut_pair.h"
 
 namespace fairing::layout {
@@ -27,24 +29,41 @@ Vector3d startOf(const BoundaryLoop& loop, int side) {
   return loop.sides[static_cast<std::size_t>(side)].ribbon.curve(0.0).point;
 }
 
-// Patch k lies between side k and side 2 n - 1 - k. Vertex j is the start of side j; the ends of
-// open chains follow.
-QuadMesh rowOfQuads(int n, bool closed) {
+// Where the sides of n patches stand in the loop; `ends` are those of its ends, -1 = free.
+struct Row {
+  int n, second;
+  std::array<int, 2> ends;
+  bool closed;
+};
+
+Row rowOf(const boundary::ChainPair& pair, int n, bool closed) {
+  const int second = pair.isJoined(0) ? n + 1 : n;
+  return {n, second, {pair.isJoined(0) ? n : -1, pair.isJoined(1) ? second + n : -1}, closed};
+}
+
+// Vertex j is the start of side j; free ends of open chains follow.
+QuadMesh rowOfQuads(const Row& row, int sideCount) {
   QuadMesh mesh;
-  const int firstEnd = closed ? 0 : 2 * n, secondEnd = closed ? n : 2 * n + 1;
+  const auto [n, second, ends, closed] = row;
+  int vertices = sideCount;
+  const auto endOf = [&](int chain, int next) {
+    const int end = ends[static_cast<std::size_t>(chain)];
+    return closed ? next : end >= 0 ? end : vertices++;
+  };
+  const int firstEnd = endOf(0, 0), secondEnd = endOf(1, second);
   for (int k = 0; k < n; ++k) {
-    const int south = k, north = 2 * n - 1 - k;
+    const int south = k, north = second + n - 1 - k;
     mesh.quads.push_back(
         {{south, k + 1 < n ? south + 1 : firstEnd, north, k > 0 ? north + 1 : secondEnd},
-         {south, -1, north, -1}});
+         {south, k + 1 < n ? -1 : ends[0], north, k > 0 ? -1 : ends[1]}});
   }
+  mesh.vertices.assign(static_cast<std::size_t>(vertices), Eigen::Vector2d::Zero());
+  mesh.inside.assign(mesh.vertices.size(), 0);
   return mesh;
 }
 
 // The picture of a row of quads: seams as long as the way between their ends.
 void drawRow(const BoundaryLoop& loop, bool closed, QuadMesh& mesh) {
-  mesh.vertices.assign(loop.sides.size() + (closed ? 0 : 2), Eigen::Vector2d::Zero());
-  mesh.inside.assign(mesh.vertices.size(), 0);
   const int n = static_cast<int>(mesh.quads.size());
   double width = 0.0;
   for (const Quad& quad : mesh.quads) {
@@ -74,11 +93,12 @@ Result<LayoutPlan> stripPlan(const boundary::ChainPair& pair) {
   if (!cuts) return fail(cuts.error());
   auto cut = boundary::cutPair(pair, *cuts, kMostPoles);
   if (!cut) return fail(cut.error());
-  const int n = static_cast<int>(cut->loop.sides.size()) / 2;
+  const int n = static_cast<int>(pair.closed ? cuts->size() : cuts->size() - 1);
   const bool isWhole = pair.closed && n == 1;
   LayoutPlan plan{LayoutKind::Strip, std::move(*cut), {}, isWhole};
-  plan.mesh = rowOfQuads(n, pair.closed && !isWhole);
-  drawRow(plan.cut.loop, pair.closed && !isWhole, plan.mesh);
+  const bool isRing = pair.closed && !isWhole;
+  plan.mesh = rowOfQuads(rowOf(pair, n, isRing), static_cast<int>(plan.cut.loop.sides.size()));
+  drawRow(plan.cut.loop, isRing, plan.mesh);
   for (const boundary::StripCut& c : *cuts)
     plan.matches.push_back({pointAt(pair.sides, c.first), pointAt(pair.sides, c.second)});
   return plan;

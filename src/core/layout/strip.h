@@ -7,9 +7,9 @@
 namespace fairing::layout {
 
 /// Patches side by side between two chains: the first along South, the second along North, cut
-/// where matchChains() says, sides as in cutPair(). East and West are seams of neighbours, free at
-/// the ends of open chains; of one patch between closed chains they are one and the same. Fails
-/// with the codes of matchChains() and cutPair().
+/// where matchChains() says, sides as in cutPair(). East and West are seams of neighbours, at
+/// the ends of open chains free or the sides there; of one patch between closed chains they are one
+/// and the same. Fails with the codes of matchChains() and cutPair().
 [[nodiscard]] Result<LayoutPlan> stripPlan(const boundary::ChainPair& pair);
 
 }  // namespace fairing::layout

@@ -53,6 +53,11 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
       case ErrorCode::SetbackCurveBroken:
       case ErrorCode::SetbackCurveOff:
       case ErrorCode::SetbackCurveShort:
+      case ErrorCode::EndJoinsNothing:
+      case ErrorCode::EndTwice:
+      case ErrorCode::EndTurns:
+      case ErrorCode::EndAlongSide:
+      case ErrorCode::EndAgainstSide:
         EXPECT_THAT(sentence(error), HasSubstr("dge 17"));
         EXPECT_THAT(sentence(error), HasSubstr("(1.5, -2, 0)"));
         break;
@@ -63,6 +68,8 @@ TEST(ErrorText, NamesEdgeAndPlaceWhereTheyMatter) {
       case ErrorCode::SeveralLoops:
       case ErrorCode::SetbackCurveUnlike:
       case ErrorCode::SetbackCurveBeside:
+      case ErrorCode::EndsUnused:
+      case ErrorCode::EndOnSide:
         EXPECT_THAT(sentence(error), HasSubstr("dge 17"));
         break;
       default:
