@@ -331,6 +331,28 @@ TEST(BlendEnds, StayTangentWhateverTheReach) {
   }
 }
 
+TEST(BlendEnds, StayTangentBesideCurvedFacesWhateverTheReach) {
+  const TopoDS_Shape cylinder =
+      roundHole(new Geom_CylindricalSurface(upright(), 10.0), {0, 0.5, 1.3, 1.8}, {0, 5, 15, 20});
+  const TopoDS_Shape sphere = roundHole(
+      new Geom_SphericalSurface(upright(), 10.0), {0, 0.5, 1.2, 1.8}, {-0.8, -0.3, 0.3, 0.8});
+  for (const TopoDS_Shape& shape : {cylinder, sphere}) {
+    const std::vector<int> around = innerFreeEdges(ShapeIndex(shape));
+    for (const double reach : {0.7, 1.4})
+      for (const Continuity continuity : {Continuity::G1, Continuity::G2}) {
+        const ShapeFill strip = blended(shape,
+                                        {.from = {around[0]},
+                                         .to = {around[2]},
+                                         .continuity = continuity,
+                                         .ends = {around[1], around[3]}},
+                                        ResultMode::Patches,
+                                        reaching(reach, reach));
+        expectTangent(strip);
+        EXPECT_LT(strip.fill.report.largestAngle, 1e-3);
+      }
+  }
+}
+
 TEST(BlendEnds, ActWithReachInTheMiddle) {
   const auto leg = [](const ShapeFill& blend) {
     const auto& patch = blend.fill.patches.front();
