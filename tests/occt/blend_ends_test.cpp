@@ -11,6 +11,7 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "occt/blends.h"
 #include "occt/fill_shape.h"
@@ -426,6 +427,15 @@ TEST(BlendEnds, WithACornerInsideAreRefused) {
       errorOf(shape, picksNear(shape, {{10, 0, 0}}, {{10, 10, 6}}, {{0, 2.25, 0}, {0, 6.25, 3}}));
   EXPECT_EQ(error.code, ErrorCode::EndTurns);
   EXPECT_NEAR(error.value, 90.0, 1e-6);
+}
+
+TEST(BlendEnds, ThatGoOnAlongASideAreRefused) {
+  const TopoDS_Shape shape =
+      compound({plates(), bezier({{0, 0, 0}, {-6, 0.5, 0}, {-6, 9, 6}, {0, 10, 6}})});
+  const Error error =
+      errorOf(shape, picksNear(shape, {{10, 0, 0}}, {{10, 10, 6}}, {{-4.5, 4.8, 3}}));
+  EXPECT_EQ(error.code, ErrorCode::EndAlongSide);
+  EXPECT_NEAR(error.value, 180.0 - std::atan(0.5 / 6.0) * 180.0 / std::numbers::pi, 1e-6);
 }
 
 TEST(BlendEnds, OfClosedSidesAreRefused) {
