@@ -11,6 +11,7 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "occt/blends.h"
 #include "occt/fill_shape.h"
@@ -331,6 +332,28 @@ TEST(BlendEnds, StayTangentWhateverTheReach) {
   }
 }
 
+TEST(BlendEnds, StayTangentBesideCurvedFacesWhateverTheReach) {
+  const TopoDS_Shape cylinder =
+      roundHole(new Geom_CylindricalSurface(upright(), 10.0), {0, 0.5, 1.3, 1.8}, {0, 5, 15, 20});
+  const TopoDS_Shape sphere = roundHole(
+      new Geom_SphericalSurface(upright(), 10.0), {0, 0.5, 1.2, 1.8}, {-0.8, -0.3, 0.3, 0.8});
+  for (const TopoDS_Shape& shape : {cylinder, sphere}) {
+    const std::vector<int> around = innerFreeEdges(ShapeIndex(shape));
+    for (const double reach : {0.7, 1.4})
+      for (const Continuity continuity : {Continuity::G1, Continuity::G2}) {
+        const ShapeFill strip = blended(shape,
+                                        {.from = {around[0]},
+                                         .to = {around[2]},
+                                         .continuity = continuity,
+                                         .ends = {around[1], around[3]}},
+                                        ResultMode::Patches,
+                                        reaching(reach, reach));
+        expectTangent(strip);
+        EXPECT_LT(strip.fill.report.largestAngle, 1e-3);
+      }
+  }
+}
+
 TEST(BlendEnds, ActWithReachInTheMiddle) {
   const auto leg = [](const ShapeFill& blend) {
     const auto& patch = blend.fill.patches.front();
@@ -404,6 +427,15 @@ TEST(BlendEnds, WithACornerInsideAreRefused) {
       errorOf(shape, picksNear(shape, {{10, 0, 0}}, {{10, 10, 6}}, {{0, 2.25, 0}, {0, 6.25, 3}}));
   EXPECT_EQ(error.code, ErrorCode::EndTurns);
   EXPECT_NEAR(error.value, 90.0, 1e-6);
+}
+
+TEST(BlendEnds, ThatGoOnAlongASideAreRefused) {
+  const TopoDS_Shape shape =
+      compound({plates(), bezier({{0, 0, 0}, {-6, 0.5, 0}, {-6, 9, 6}, {0, 10, 6}})});
+  const Error error =
+      errorOf(shape, picksNear(shape, {{10, 0, 0}}, {{10, 10, 6}}, {{-4.5, 4.8, 3}}));
+  EXPECT_EQ(error.code, ErrorCode::EndAlongSide);
+  EXPECT_NEAR(error.value, 180.0 - std::atan(0.5 / 6.0) * 180.0 / std::numbers::pi, 1e-6);
 }
 
 TEST(BlendEnds, OfClosedSidesAreRefused) {

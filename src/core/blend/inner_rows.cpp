@@ -120,12 +120,13 @@ Differences crossOf(const Row& row, const solver::Points& points) {
   return cross;
 }
 
-// Reach fades to 1, level, towards an end that follows something: 0 there, 1 at a free end and in
-// the middle of two others. `follows`: at the start of the chain, and at its end.
+// Reach fades to 1 towards an end that follows something, level and not bent there: 0 there, 1 at a
+// free end and in the middle of two others. `follows`: at the start of the chain, and at its end.
 double fade(std::array<bool, 2> follows, double share) {
   const double s = follows[0] ? share : 1.0 - share;
-  if (follows[0] && follows[1]) return 16.0 * s * s * (1.0 - s) * (1.0 - s);
-  return follows[0] || follows[1] ? s * s * (3.0 - 2.0 * s) : 1.0;
+  const double cube = s * s * s, rest = 1.0 - s;
+  if (follows[0] && follows[1]) return 64.0 * cube * rest * rest * rest;
+  return follows[0] || follows[1] ? cube * (10.0 - 15.0 * s + 6.0 * s * s) : 1.0;
 }
 
 // The spline that is `reach` times R_v at the Greville abscissae: where R_v meets what is

@@ -1,13 +1,48 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/blend/natural_strip.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/blend/departure_check.h"
 #include "core/blend/inner_rows.h"
+#include "core/layout/layouts.h"
 #include "core/layout/strip.h"
 
 namespace fairing {
+
+namespace {
+
+// Spans on which sides and ends stay within tolerance, curvature included, when the reach fades.
+constexpr double kSpansToFade = 16.0;
+
+// Knots that divide the spans evenly until there are as many.
+std::vector<double> knotsToFade(const spline::KnotVector& knots) {
+  const std::vector<double> breaks = knots.breaks();
+  const double parts = std::ceil(kSpansToFade / static_cast<double>(breaks.size() - 1));
+  std::vector<double> more;
+  for (std::size_t k = 1; k < breaks.size(); ++k)
+    for (double part = 1.0; part < parts; ++part)
+      more.push_back(breaks[k - 1] + part / parts * (breaks[k] - breaks[k - 1]));
+  return more;
+}
+
+// Reach fades towards an end that follows something, and that gives way along itself: both need
+// the knots for it.
+Patches fineEnough(const layout::LayoutPlan& plan, const Patches& patches) {
+  const auto isEnd = [](const layout::Quad& quad) {
+    return quad.sides[1] >= 0 || quad.sides[3] >= 0;
+  };
+  if (std::none_of(plan.mesh.quads.begin(), plan.mesh.quads.end(), isEnd)) return patches;
+  std::vector<layout::KnotWish> wishes;
+  for (const spline::BsplineSurface& patch : patches)
+    wishes.push_back({knotsToFade(patch.u), knotsToFade(patch.v)});
+  const auto finer = layout::refineLayout(plan, layoutOf(plan, patches), wishes);
+  return makePatches(finer, pointsOn(finer, patches));
+}
+
+}  // namespace
 
 NaturalStrip::NaturalStrip(Span span, FillOptions options, FillResult result)
     : span_(std::move(span)), options_(std::move(options)), result_(std::move(result)) {}
@@ -54,9 +89,10 @@ std::optional<Error> NaturalStrip::turn() {
 
 Result<FillResult> NaturalStrip::reaching(const Reach& reach) const {
   if (reach.isNatural()) return result_;
-  const auto layout = layoutOf(span_.plan, result_.patches);
-  const auto held = scaledRows({span_.plan.cut.loop, layout, result_.patches}, reach);
-  auto result = spanAgain(span_, result_.patches, held, options_);
+  const Patches patches = fineEnough(span_.plan, result_.patches);
+  const auto layout = layoutOf(span_.plan, patches);
+  const auto held = scaledRows({span_.plan.cut.loop, layout, patches}, reach);
+  auto result = spanAgain(span_, patches, held, options_);
   if (result) result->matches = result_.matches;
   return result;
 }
