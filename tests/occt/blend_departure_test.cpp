@@ -108,7 +108,7 @@ TEST(BlendDeparture, ReachVariesLinearlyAlongASide) {
     const spline::KnotVector knots = varied.fill.patches[0].u.mapped(0.0, 1.0);
     for (int i = 0; i < knots.poleCount(); ++i) EXPECT_LT(error(knots.greville(i)), 1e-9);
     // Between them as well as few knots can: the cross tangents vary by 10 % at the free ends.
-    for (int k = 0; k < kSamples; ++k) EXPECT_LT(error(shareOf(k)), 1e-2);
+    for (int k = 0; k < kSamples; ++k) EXPECT_LT(error(shareOf(k)), 1.5e-2);
   }
 }
 
