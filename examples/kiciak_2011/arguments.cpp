@@ -26,7 +26,8 @@ void Arguments::addTo(CLI::App& app) {
   app.add_option(
          "--stretch", stretch, "factors of x, y, z before the minimisation, undone after it")
       ->delimiter(',')
-      ->expected(3);
+      ->expected(3)
+      ->check(CLI::PositiveNumber);
   app.add_option("--steps", steps, "most Newton steps")->check(CLI::Range(0, 1000000));
   app.add_option("--threads", threads, "the result is the same with any number")
       ->check(CLI::Range(1, 1024));

@@ -26,11 +26,13 @@ constexpr int kMostCorrections = 8;
 // F of spheres and planes is 0; this much of the border's diameter^-2 counts as nothing.
 constexpr double kNoShape = 1e-9;
 
-// A normal this short beside R_u and R_v is none.
+// A normal this short beside R_u and R_v, or one of these beside a span's share of the border, is
+// none.
 constexpr double kNoNormal = 1e-9;
 
 Result<void> checkNormals(const ControlNet& net) {
   const SpanQuadrature quadrature(kPoints);
+  const double least = kNoNormal * borderDiameter(net) / (net.spansU() + net.spansV());
   for (int i = 0; i < net.spansU(); ++i)
     for (int j = 0; j < net.spansV(); ++j)
       for (int p = 0; p < quadrature.n; ++p)
@@ -44,7 +46,9 @@ Result<void> checkNormals(const ControlNet& net) {
                      quadrature.rows[std::size_t(q)](0, k % 4) * pole.transpose();
           }
           const Eigen::Vector3d u = slopes.row(0), v = slopes.row(1);
-          if (!(u.cross(v).norm() > kNoNormal * u.norm() * v.norm()))
+
+          if (!(std::min(u.norm(), v.norm()) > least &&
+                u.cross(v).norm() > kNoNormal * u.norm() * v.norm()))
             return fail({.code = ErrorCode::NormalVanishes, .where = point});
         }
   return {};
