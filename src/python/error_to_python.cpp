@@ -150,6 +150,16 @@ const char* name(ErrorCode code) {
       return "SetbackCurveBeside";
     case ErrorCode::LayoutUnfit:
       return "LayoutUnfit";
+    case ErrorCode::NetTooSmall:
+      return "NetTooSmall";
+    case ErrorCode::NetInvalid:
+      return "NetInvalid";
+    case ErrorCode::CurveOutside:
+      return "CurveOutside";
+    case ErrorCode::CurvesContradict:
+      return "CurvesContradict";
+    case ErrorCode::NormalVanishes:
+      return "NormalVanishes";
     case ErrorCode::EdgeNotInLoop:
       return "EdgeNotInLoop";
     case ErrorCode::DirectionAlongEdge:

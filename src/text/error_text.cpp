@@ -118,6 +118,32 @@ std::string loopSentence(const Error& e) {
   }
 }
 
+std::string netSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::NetTooSmall:
+      return fmt::format(
+          "A net with {} control points along a direction has none inside its three rings: it "
+          "needs "
+          "7 or more.",
+          count(e));
+    case ErrorCode::NetInvalid:
+      return fmt::format("The control net cannot be read: {}.", e.detail);
+    case ErrorCode::CurveOutside:
+      return fmt::format(
+          "There is no curve at parameter {}: the patch has {}.", number(e.value), e.detail);
+    case ErrorCode::CurvesContradict:
+      return fmt::format(
+          "The curve {} cannot stay: it misses the given rings or another such curve by {}.",
+          e.detail,
+          length(e.value));
+    default:
+      return fmt::format(
+          "The start of the patch has no normal{}, so its curvature cannot be improved: start from "
+          "another net.",
+          at(e));
+  }
+}
+
 std::string numericSentence(const Error& e) {
   switch (e.code) {
     case ErrorCode::CurveNotFitted:
@@ -204,6 +230,12 @@ std::string sentence(const Error& error) {
     case ErrorCode::TooManySides:
     case ErrorCode::LoopTooLarge:
       return loopSentence(error);
+    case ErrorCode::NetTooSmall:
+    case ErrorCode::NetInvalid:
+    case ErrorCode::CurveOutside:
+    case ErrorCode::CurvesContradict:
+    case ErrorCode::NormalVanishes:
+      return netSentence(error);
     case ErrorCode::CurveNotFitted:
     case ErrorCode::InnerConstraintOff:
     case ErrorCode::SystemSingular:

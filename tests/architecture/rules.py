@@ -25,6 +25,7 @@ STAGES = {
     "core/height_field": ["core/base", "core/spline", "core/boundary", "core/constraint", "core/energy"],
     "core/span": ["core/base", "core/spline", "core/boundary", "core/layout", "core/constraint", "core/energy",
                   "core/shape_energy", "core/solver", "core/assembly", "core/analysis", "core/height_field/trim.h"],
+    "core/uniform_patch": ["core/base", "core/spline", "core/solver"],
     "core/fill": ["core/*"],
     "core/blend": ["core/*"],
     "core/edit": ["core/*"],

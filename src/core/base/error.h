@@ -83,6 +83,12 @@ enum class ErrorCode {
   EndAgainstSide,       ///< edge of the side, where, value = degrees off the direction asked for
   SetbackPairs,         ///< pairs of vertices asked for together with a setback
   LayoutUnfit,          ///< detail = "quad", "star", ...: the loop does not suit the asked layout
+  // nets of control points
+  NetTooSmall,       ///< value = control points along the shorter direction
+  NetInvalid,        ///< detail = path and what is wrong in it
+  CurveOutside,      ///< value = parameter asked for, detail = "u from 3 to 16": the domain
+  CurvesContradict,  ///< value = mm, detail = "u = 5": leaves the rings or misses another curve
+  NormalVanishes,    ///< where: the start has no normal there, so no curvature
   // numerics
   SystemSingular,  ///< the linear system has no unique solution
   NotFinite,       ///< a NaN or an infinity came in or out; edge if known

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace fairing {
+
+/// Calls work(i) for i = 0 ... count - 1, each once, on so many threads, this one among them.
+/// Returns when all is done; `work` does not throw.
+template <class Work>
+void parallelFor(int threads, int count, const Work& work) {
+  std::atomic<int> next{0};
+  const auto takeWhatIsLeft = [&] {
+    for (int i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::jthread> crew;
+  for (int t = 1; t < std::min(threads, count); ++t) crew.emplace_back(takeWhatIsLeft);
+  takeWhatIsLeft();
+}
+
+}  // namespace fairing
