@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/blend/blend_ring.h"
-#include "core/blend/natural_strip.h"
 #include "core/boundary/strip_ends.h"
 #include "occt/blend_notes.h"
 #include "occt/make_faces.h"
@@ -126,7 +125,7 @@ Result<ShapeBlend> junction(const Base& base,
                             Progress* progress) {
   auto made = blendRing(ring, options, progress);
   if (!made) return fail(made.error());
-  return joined(base, ring.sides, ring.sides.chains(), {std::move(*made), nullptr}, mode);
+  return joined(base, ring.sides, ring.sides.chains(), std::move(*made), mode);
 }
 
 }  // namespace
@@ -159,7 +158,6 @@ Result<ShapeBlend> blendShape(const ShapeIndex& index,
 
 Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {
   if (const auto error = validate(BlendOptions{.reach = reach})) return fail(*error);
-  if (!blend.natural) return fail({.code = ErrorCode::JunctionReach, .value = reach.at(0, 0.0)});
   auto fill = blend.natural->reaching(reach);
   if (!fill) return fail(fill.error());
   addSingularSupports(blend.loop, fill->report);

@@ -10,7 +10,7 @@ namespace fairing::occt {
 
 /// A blend of a shape; `loop` holds all chains.
 struct ShapeBlend : ShapeFill {
-  std::shared_ptr<const NaturalStrip> natural;  ///< what reaching() starts from; none: a junction
+  std::shared_ptr<const NaturalBlend> natural;  ///< what reaching() starts from
 };
 
 /// The whole way: chains, strip or junction, faces, result. With a setback the base is the shape
@@ -23,9 +23,9 @@ struct ShapeBlend : ShapeFill {
                                             ResultMode mode,
                                             Progress* progress = nullptr);
 
-/// The same blend with other reaches, its face alone: one solve, for previews that follow a slider.
-/// By one thread at a time. Fails with JunctionReach, ReachNotPositive and the codes of
-/// blendChains().
+/// The same blend with other reaches, its faces alone. Of a strip: one solve, for previews that
+/// follow a slider. By one thread at a time. Fails with ReachNotPositive and the codes of
+/// blendChains() and blendRing().
 [[nodiscard]] Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach);
 
 }  // namespace fairing::occt

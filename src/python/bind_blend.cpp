@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "core/blend/arms.h"
-#include "core/blend/natural_strip.h"
+#include "core/blend/natural_blend.h"
 #include "occt/blend_shape.h"
 #include "occt/result_mode.h"
 #include "python/bindings.h"
@@ -104,7 +104,7 @@ ShapeBlend reaching(const ShapeBlend& blend,
 py::list arms(const ShapeBlend& blend) {
   const auto triple = [](const Eigen::Vector3d& v) { return py::make_tuple(v.x(), v.y(), v.z()); };
   py::list result;
-  if (!blend.natural) return result;
+  if (blend.fill.layout != LayoutKind::Strip) return result;
   for (const Arm& arm : armsOf(blend.natural->result().patches))
     result.append(py::make_tuple(triple(arm.point), triple(arm.vector)));
   return result;

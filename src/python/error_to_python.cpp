@@ -96,8 +96,6 @@ const char* name(ErrorCode code) {
       return "CutsTooClose";
     case ErrorCode::RingWithoutGap:
       return "RingWithoutGap";
-    case ErrorCode::JunctionReach:
-      return "JunctionReach";
     case ErrorCode::OneSideOnly:
       return "OneSideOnly";
     case ErrorCode::ReachNotPositive:

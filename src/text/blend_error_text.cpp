@@ -61,8 +61,9 @@ std::string blendSentence(const Error& e) {
           e.edge);
     case ErrorCode::ReachVariesRound:
       return fmt::format(
-          "The side of edge {} is closed, so its reach cannot grow from its start to its end: give "
-          "one number for all of it.",
+          "The reach of the side of edge {} cannot grow from a start to an end, since it is closed "
+          "or "
+          "one of three and more: give one number for all of it.",
           e.edge);
     default:
       return fmt::format("The reach must be above 0, not {}.", number(e.value));
@@ -100,11 +101,6 @@ std::string junctionSentence(const Error& e) {
       return fmt::format(
           "The edges picked, edge {} among them, enclose a hole without a gap: fill the hole.",
           e.edge);
-    case ErrorCode::JunctionReach:
-      return fmt::format(
-          "A junction of three loops or more reaches as far as its energy likes best: leave the "
-          "reach at 1, not {}.",
-          e.value);
     default:
       return fmt::format("A junction of three loops or more takes no {}: leave it out.", e.detail);
   }
@@ -273,7 +269,6 @@ std::optional<std::string> blendErrorSentence(const Error& error) {
     case ErrorCode::CutOffRims:
     case ErrorCode::CutsTooClose:
     case ErrorCode::RingWithoutGap:
-    case ErrorCode::JunctionReach:
     case ErrorCode::JunctionWish:
       return junctionSentence(error);
     case ErrorCode::EndsUnused:

@@ -154,7 +154,7 @@ class BlendPanel(EdgePanel):
         self._table.show(session.loops, session.request)
         has_both = None not in session.sides
         self._ui.promptLabel.setVisible(not has_both)
-        self._reaches.set_visible(session.is_strip)
+        self._reaches.set_visible(has_both)
         self._more.show_sides()
         self._pairs.show()
         self._curves.show()

@@ -21,9 +21,9 @@ from .commands import run_as_one_step
 MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
 FROM, TO = range(2)
 # Choices that a strip alone has: a junction is asked none of them.
-STRIP_CHOICES = ("from_reach", "to_reach", "from_reach_end", "to_reach_end", "from_departure", "to_departure",
+STRIP_CHOICES = ("from_reach_end", "to_reach_end", "from_departure", "to_departure",
                  "from_flip", "to_flip", "from_setback", "to_setback", "match", "alignment")
-CHOICES = ("continuity", *STRIP_CHOICES, "ring", "energy", "gap_tolerance", "angle_tolerance", "degree", "max_poles", "result")
+CHOICES = ("continuity", "from_reach", "to_reach", *STRIP_CHOICES, "ring", "energy", "gap_tolerance", "angle_tolerance", "degree", "max_poles", "result")
 
 _REACHES = (("from_reach", "from_reach_end"), ("to_reach", "to_reach_end"))
 
@@ -171,9 +171,9 @@ class BlendSession:
 
     def reach(self, position: int, value: float):
         """Another reach of one side. Returns the blend that has it and its mesh at the cost of one solve; None where
-        no blend is kept. Raises FairingError."""
+        no strip is kept. Raises FairingError."""
         self.change(**{_REACHES[position][0]: value})
-        if self._blend is None:
+        if self._blend is None or not self.is_strip:
             return None
         asked = self.choices()
         reached = self._blend.reaching(**{name: asked[name] for names in _REACHES for name in names})

@@ -49,7 +49,7 @@ class RingRow(QtCore.QObject):
         if self._ui.cutsButton.isChecked():
             return translate("Fairing", "Pick edges, then click here")
         count = sum(len(names) for _, names in self._session.cuts)
-        return translate("Fairing", "Cuts: {} edges").format(count) if count else translate("Fairing", "Cuts: automatic")
+        return translate("Fairing", "Cuts shown: {}").format(count) if count else translate("Fairing", "Cuts: automatic")
 
     def _set(self, cuts) -> None:
         self._session.cuts = links_of(cuts)

@@ -53,7 +53,6 @@ enum class ErrorCode {
   CutOffRims,             ///< edge, where, value = mm: a cut's end is not on the junction's sides
   CutsTooClose,           ///< edge, where: two cuts leave it close to each other
   RingWithoutGap,         ///< edge: the chains of a ring touch each other all round
-  JunctionReach,          ///< value = the reach given: a junction of three loops or more has none
   JunctionWish,           ///< detail = "flip", "setback", ...: not for three loops or more
   ReachVariesRound,       ///< edge of a closed side whose reach is to vary along it
   DepartureNotTangent,    ///< edge met in position only, with a direction or flip asked for

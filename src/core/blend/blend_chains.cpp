@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/blend/natural_strip.h"
+
 // The pipeline (docs/ARCHITECTURE.md):
 //
 //   two chains -> ChainPair -> LayoutPlan (strip) -> spanPlan -> leaves as asked?

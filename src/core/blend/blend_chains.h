@@ -5,16 +5,16 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/blend/blend_options.h"
-#include "core/blend/natural_strip.h"
+#include "core/blend/natural_blend.h"
 #include "core/boundary/side_chain.h"
 #include "core/span/fill_result.h"
 
 namespace fairing {
 
-/// A strip between two chains, and what it was made from.
+/// A blend, and what it was made from.
 struct Blend {
   FillResult fill;
-  std::shared_ptr<const NaturalStrip> natural;  ///< for other reaches at the cost of one solve
+  std::shared_ptr<const NaturalBlend> natural;  ///< for other reaches at the cost of one solve
 };
 
 /// Joins two chains of sides by one strip that leaves each of them as its sides ask and minimises

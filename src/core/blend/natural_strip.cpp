@@ -44,9 +44,6 @@ Patches fineEnough(const layout::LayoutPlan& plan, const Patches& patches) {
 
 }  // namespace
 
-NaturalStrip::NaturalStrip(Span span, FillOptions options, FillResult result)
-    : span_(std::move(span)), options_(std::move(options)), result_(std::move(result)) {}
-
 Result<NaturalStrip> NaturalStrip::make(const boundary::ChainPair& pair,
                                         const BlendOptions& options,
                                         Progress* progress) {

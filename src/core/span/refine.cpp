@@ -118,10 +118,10 @@ std::set<double> wishedAlong(const analysis::SideTrace& trace,
   return wished;
 }
 
-// Where a seam is to be refined: at its worst place; a strip's, which run all the way across it,
+// Where a seam is to be refined: at its worst place; in blends, where seams are long and bent,
 // wherever they are too wide.
 std::vector<double> wideOpen(const analysis::SeamReport& seam, LayoutKind kind, double limit) {
-  if (kind != LayoutKind::Strip) return {seam.angle.parameter};
+  if (kind != LayoutKind::Strip && kind != LayoutKind::Junction) return {seam.angle.parameter};
   std::vector<double> places;
   for (const analysis::AnglePlace& place : seam.angleCurve)
     if (place.angle > limit) places.push_back(place.t);

@@ -25,6 +25,24 @@ std::vector<char> takenPoints(const solver::QuadraticProgram& program) {
   return taken;
 }
 
+// Beside the stiffness that a point has by the energy.
+constexpr double kPull = 1e3;
+
+void hold(const HeldPoints& held, solver::QuadraticProgram& program) {
+  for (std::size_t k = 0; k < held.points.size(); ++k) {
+    const int point = held.points[k];
+    const Eigen::RowVector3d value = held.values.row(static_cast<Eigen::Index>(k));
+    if (held.firmly) {
+      program.fixed[static_cast<std::size_t>(point)] = 1;
+      program.values.row(point) = value;
+      continue;
+    }
+    const double pull = kPull * program.stiffness.coeff(point, point);
+    program.stiffness.coeffRef(point, point) += pull;
+    for (int c = 0; c < 3; ++c) program.load[3 * point + c] += pull * value[c];
+  }
+}
+
 }  // namespace
 
 Patches makePatches(const layout::PatchLayout& layout, const solver::Points& points) {
@@ -85,10 +103,7 @@ Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
   if (aim.shape) program.load = flat(solver::Points(program.stiffness * *aim.shape));
   program.fixed = std::move(constraints->fixed);
   program.values = std::move(constraints->values);
-  for (std::size_t k = 0; k < aim.held.points.size(); ++k) {
-    program.fixed[static_cast<std::size_t>(aim.held.points[k])] = 1;
-    program.values.row(aim.held.points[k]) = aim.held.values.row(static_cast<Eigen::Index>(k));
-  }
+  hold(aim.held, program);
   program.ties = std::move(constraints->ties);
   program.blocks = std::move(constraints->blocks);
   if (aim.about && !through.empty())

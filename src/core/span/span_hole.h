@@ -28,11 +28,13 @@ using Patches = std::vector<spline::BsplineSurface>;
 /// The layout a plan's patches lie on.
 [[nodiscard]] layout::PatchLayout layoutOf(const layout::LayoutPlan& plan, const Patches& patches);
 
-/// Points that are to lie where they are told, row k of `values` for points[k]; they must agree
-/// with what the sides and ties ask.
+/// Points that are to lie where they are told, row k of `values` for points[k].
 struct HeldPoints {
   std::vector<int> points;
   solver::Points values;
+  /// Then they must agree with what the sides and ties ask; else they are drawn there, as near as
+  /// sides and ties let them.
+  bool firmly = true;
 };
 
 /// What the patches are drawn to, in points of their layout.
