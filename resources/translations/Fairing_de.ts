@@ -418,6 +418,38 @@
    <source>Take the chosen pair away, or all</source>
    <translation>Das gewählte Paar wegnehmen, oder alle</translation>
   </message>
+  <message>
+   <source>The sides come to a vertex</source>
+   <translation>Die Seiten laufen auf eine Ecke zu</translation>
+  </message>
+  <message>
+   <source>Each chain is a side of its own, with gaps between it and the next ones: all are joined round the vertex they would meet in</source>
+   <translation>Jede Kantenfolge ist eine eigene Seite, mit Lücken zu den nächsten: alle werden rund um die Ecke verbunden, in der sie zusammenliefen</translation>
+  </message>
+  <message>
+   <source>Cuts: automatic</source>
+   <translation>Schnitte: automatisch</translation>
+  </message>
+  <message>
+   <source>Where the junction is cut from rim to rim. Pick edges drawn between the rims in the 3D view: the cuts leave the rims at their ends</source>
+   <translation>Wo die Verzweigung von Rand zu Rand geschnitten wird. Kanten anklicken, die zwischen den Rändern gezeichnet sind: die Schnitte beginnen an ihren Enden</translation>
+  </message>
+  <message>
+   <source>Find the cuts automatically</source>
+   <translation>Die Schnitte automatisch finden</translation>
+  </message>
+  <message>
+   <source>Let the ends follow edges or faces</source>
+   <translation>Enden an Kanten oder Flächen führen</translation>
+  </message>
+  <message>
+   <source>Edges or faces, of any objects, that lead from the end of one side to the end of the other; on other faces the end slides. Pick them in the 3D view</source>
+   <translation>Kanten oder Flächen beliebiger Objekte, die vom Ende der einen Seite zum Ende der anderen führen; auf anderen Flächen gleitet das Ende. In der 3D-Ansicht anklicken</translation>
+  </message>
+  <message>
+   <source>Let the ends leave the chosen edge or face, or all</source>
+   <translation>Die Enden von der gewählten Kante oder Fläche lösen, oder von allen</translation>
+  </message>
  </context>
  <context>
   <name>FairingFillPanel</name>
@@ -1032,6 +1064,30 @@
   <message>
    <source>Pick a vertex where edges of a side of the blend meet.</source>
    <translation>Einen Punkt anklicken, an dem Kanten einer Seite der Überblendung enden.</translation>
+  </message>
+  <message>
+   <source>Pick edges or faces, then click here</source>
+   <translation>Kanten oder Flächen anklicken, dann hier</translation>
+  </message>
+  <message>
+   <source>Pick edges, then click here</source>
+   <translation>Kanten anklicken, dann hier</translation>
+  </message>
+  <message>
+   <source>Cuts shown: {}</source>
+   <translation>Gezeigte Schnitte: {}</translation>
+  </message>
+  <message>
+   <source>Cuts: automatic</source>
+   <translation>Schnitte: automatisch</translation>
+  </message>
+  <message>
+   <source>Let the ends follow edges or faces</source>
+   <translation>Enden an Kanten oder Flächen führen</translation>
+  </message>
+  <message>
+   <source>Pick an edge that leads from rim to rim.</source>
+   <translation>Eine Kante anklicken, die von Rand zu Rand führt.</translation>
   </message>
  </context>
  <context>
