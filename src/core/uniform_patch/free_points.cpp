@@ -80,7 +80,7 @@ class Line {
       free.push_back(i);
     }
     freeCount_ = static_cast<int>(free.size());
-    if (kept_.empty()) return;
+    if (kept_.empty() || free.empty()) return;
     const MatrixXd others = ofPivots_.partialPivLu().solve(MatrixXd(rows_(kept_, free)));
     for (std::size_t k = 0; k < pivots_.size(); ++k)
       for (int f = 0; f < freeCount_; ++f)
