@@ -60,7 +60,8 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
           ends: Iterable[subelements.Pick] = (), end_faces: Iterable[subelements.Pick] = (), ring: bool = False,
           cuts: Iterable[subelements.Pick] = (),
           **options) -> tuple[Part.Shape, dict]:
-    """Joins two chains of free edges of a shape by one strip. Returns the new face and the report on it.
+    """Joins chains of free edges of a shape: two by one strip, three and more by a junction. Returns the new faces and
+    the report on them.
 
     from_edges       edges the strip starts from, "Edge7" or 7: one of a smooth chain is enough
     to_edges         edges it ends at; both chains are open, or both are closed

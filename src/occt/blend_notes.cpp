@@ -32,14 +32,6 @@ constexpr double kDeflection = 2e-3, kNearEdges = 1e-2;  // of the diagonal
 constexpr double kMeshAngle = 0.3;                       // radians
 constexpr int kSamplesAlong = 64;
 
-/// The faces beside the sides [from, to).
-std::set<int> facesBeside(const boundary::BoundaryLoop& loop, std::size_t from, std::size_t to) {
-  std::set<int> faces;
-  for (std::size_t k = from; k < to; ++k)
-    if (loop.sides[k].face > 0) faces.insert(loop.sides[k].face);
-  return faces;
-}
-
 /// A copy is meshed: the user's shape stays as it is.
 TriangleMesh meshOf(const TopoDS_Face& face, double deflection) {
   BRepBuilderAPI_Copy copy(face, Standard_False, Standard_False);
@@ -125,11 +117,13 @@ bool isInside(const ShapeIndex& index, const std::set<int>& faces, const Vector3
 /// solid.
 class Overlap {
  public:
-  Overlap(const ShapeIndex& index, const boundary::BoundaryLoop& sides, const SideRanges& chains)
+  Overlap(const ShapeIndex& index,
+          const boundary::BoundaryLoop& sides,
+          const std::vector<boundary::SideRange>& chains)
       : index_(index), sides_(sides), chains_(chains) {
     const double deflection = kDeflection * sides.diagonal;
-    for (const auto& [first, end] : chains_) {
-      faces_.push_back(facesBeside(sides, first, end));
+    for (const boundary::SideRange& chain : chains_) {
+      faces_.push_back(sides.facesBeside(chain));
       for (const int face : faces_.back())
         if (!trees_.contains(face)) trees_.emplace(face, meshOf(index.face(face), deflection));
     }
@@ -163,7 +157,7 @@ class Overlap {
 
   const ShapeIndex& index_;
   const boundary::BoundaryLoop& sides_;
-  const SideRanges& chains_;
+  const std::vector<boundary::SideRange>& chains_;
   std::vector<std::set<int>> faces_;  // beside every chain
   std::map<int, TriangleTree> trees_;
 };
@@ -172,7 +166,7 @@ class Overlap {
 
 std::vector<Note> blendNotes(const ShapeIndex& index,
                              const boundary::BoundaryLoop& sides,
-                             const SideRanges& chains,
+                             const std::vector<boundary::SideRange>& chains,
                              const std::vector<spline::BsplineSurface>& patches) {
   std::vector<Note> notes;
   addCreases(sides, notes);

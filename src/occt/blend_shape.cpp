@@ -25,7 +25,7 @@ struct Base {
 /// `sides` in the base's own numbers.
 Result<ShapeBlend> joined(const Base& base,
                           const boundary::BoundaryLoop& sides,
-                          const SideRanges& chains,
+                          const std::vector<boundary::SideRange>& chains,
                           Blend blend,
                           ResultMode mode) {
   FillResult& fill = blend.fill;
@@ -85,27 +85,7 @@ Result<ShapeBlend> strip(const Base& base,
   if (!pair) return fail(pair.error());
   auto blend = blendChains(named(*pair, base.users), options, progress);
   if (!blend) return fail(blend.error());
-  const SideRanges joining{{0, pair->firstCount}, {pair->secondStart(), pair->secondEnd()}};
-  return joined(base, pair->sides, joining, std::move(*blend), mode);
-}
-
-/// Ends in the numbers of a trimmed base; EdgeNotInLoop for an edge that was cut off.
-std::optional<Error> translateEnds(const BlendPicks& picks, TrimmedBase& base) {
-  const auto numbersOf = [](int user, const std::map<int, int>& users) {
-    std::vector<int> numbers;
-    for (const auto& [number, own] : users)
-      if (own == user) numbers.push_back(number);
-    return numbers;
-  };
-  for (const int edge : picks.ends) {
-    const std::vector<int> numbers = numbersOf(edge, base.users.edges);
-    if (numbers.empty()) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
-    base.picks.ends.insert(base.picks.ends.end(), numbers.begin(), numbers.end());
-  }
-  for (const int face : picks.endFaces)
-    for (const int number : numbersOf(face, base.users.faces))
-      base.picks.endFaces.push_back(number);
-  return std::nullopt;
+  return joined(base, pair->sides, {pair->chain(0), pair->chain(1)}, std::move(*blend), mode);
 }
 
 /// What is wished of two chains alone, if anything.
@@ -147,9 +127,8 @@ Result<ShapeBlend> blendShape(const ShapeIndex& index,
   if (!picks.cuts.empty()) return fail({.code = ErrorCode::CutUnfit, .edge = picks.cuts.front()});
   if (!picks.isSetBack()) return strip({index}, pair, picks, options, mode, progress);
   if (!picks.pairs.empty()) return fail({.code = ErrorCode::SetbackPairs});
-  auto trimmed = trimBack(index, picks, pair);
+  const auto trimmed = trimBack(index, picks, pair);
   if (!trimmed) return fail(trimmed.error());
-  if (const auto lost = translateEnds(picks, *trimmed)) return fail(*lost);
   const auto inner = readChains(trimmed->index, trimmed->picks);
   if (!inner) return fail(inNumbersOf(inner.error(), trimmed->users));
   const Base base{trimmed->index, trimmed->users, trimmed->notes};

@@ -15,8 +15,9 @@ struct ShapeBlend : ShapeFill {
 
 /// The whole way: chains, strip or junction, faces, result. With a setback the base is the shape
 /// with its faces trimmed back, and edges bear the numbers of those they were set back from. Fails
-/// with JunctionWish for a setback or a matching of a junction, SetbackPairs, and the codes of
-/// readBlend(), trimBack(), blendChains(), blendRing() and joinResult().
+/// with JunctionWish for what a junction has not (setback, matching, pairs, ends), CutUnfit,
+/// SetbackPairs, and the codes of readBlend(), readEnds(), slidingEnd(), trimBack(), blendChains(),
+/// blendRing() and joinResult().
 [[nodiscard]] Result<ShapeBlend> blendShape(const ShapeIndex& index,
                                             const BlendPicks& picks,
                                             const BlendOptions& options,

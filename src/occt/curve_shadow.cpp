@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/bisect.h"
+
 namespace fairing::occt {
 namespace {
 
@@ -87,11 +89,7 @@ ShadowPoint CurveShadow::at(double t) const {
 }
 
 double CurveShadow::exitBetween(double inside, double outside) const {
-  for (int k = 0; k < kHalvings; ++k) {
-    const double middle = 0.5 * (inside + outside);
-    (at(middle).onFace ? inside : outside) = middle;
-  }
-  return inside;
+  return bisect(inside, outside, kHalvings, [&](double t) { return at(t).onFace; });
 }
 
 ShadowRun CurveShadow::runRound(int sample) const {

@@ -98,14 +98,6 @@ Result<DrawnCurve> curveOf(const ShapeIndex& index, std::vector<int> drawn) {
   return curve;
 }
 
-std::set<int> facesBeside(const boundary::ChainPair& pair, std::size_t chain) {
-  std::set<int> faces;
-  for (std::size_t k = 0; k < pair.sides.sides.size(); ++k)
-    if (pair.chainOf(k) == chain && pair.sides.sides[k].face > 0)
-      faces.insert(pair.sides.sides[k].face);
-  return faces;
-}
-
 /// One drawn edge over all faces of the side: the nearest face has its places.
 class EdgeOverFaces {
  public:
@@ -276,7 +268,7 @@ Result<LaidCurve> layOntoFaces(const ShapeIndex& index,
     return fail({.code = ErrorCode::SetbackCurveUnlike,
                  .edge = curve->edges.front().edge,
                  .detail = pair.closed ? "closed" : "open"});
-  const std::set<int> faces = facesBeside(pair, chain);
+  const std::set<int> faces = pair.sides.facesBeside(pair.chain(chain));
   Laying laying(index, *curve, faces);
   if (const auto off = laying.checkDistance(kFarthest * pair.sides.diagonal)) return fail(*off);
   LaidCurve laid;

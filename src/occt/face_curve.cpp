@@ -8,6 +8,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 
+#include "core/base/bisect.h"
 #include "core/spline/fit_curve.h"
 #include "occt/to_geom.h"
 
@@ -93,11 +94,8 @@ std::optional<WayOut> straightOut(const FaceDomain& face,
   while (face.isInside(end + steps * step)) {
     if (++steps > kMostSteps) return std::nullopt;
   }
-  double inside = steps - 1.0, outside = steps;
-  for (int k = 0; k < kHalvings; ++k) {
-    const double middle = 0.5 * (inside + outside);
-    (face.isInside(end + middle * step) ? inside : outside) = middle;
-  }
+  const double inside = bisect(
+      steps - 1.0, steps, kHalvings, [&](double k) { return face.isInside(end + k * step); });
   const Vector2d way = (steps + 1) * step;
   const auto given = [&](double t) {
     const SurfacePoint p = face.at(end + t * way);

@@ -13,6 +13,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/bisect.h"
 #include "occt/face_curve.h"
 
 namespace fairing::occt {
@@ -89,12 +90,8 @@ class Offset {
   }
   // How far a step goes within the face that it leaves.
   [[nodiscard]] double insidePart(const State& from, double step) const {
-    double inside = 0.0, outside = step;
-    for (int k = 0; k < kHalvings; ++k) {
-      const double middle = 0.5 * (inside + outside);
-      (face_.isInside(advanced(from, middle).w) ? inside : outside) = middle;
-    }
-    return inside;
+    return bisect(
+        0.0, step, kHalvings, [&](double h) { return face_.isInside(advanced(from, h).w); });
   }
 
   const OffsetRequest& request_;

@@ -217,16 +217,13 @@ class VertexFinder {
   [[nodiscard]] Eigen::Vector3d pointOf(int vertex) const {
     return fromOcct(BRep_Tool::Pnt(TopoDS::Vertex(vertices_(vertex))));
   }
-  [[nodiscard]] Place onFirst(int vertex) const { return on(vertex, 0, pair_.firstCount); }
-  [[nodiscard]] Place onSecond(int vertex) const {
-    return on(vertex, pair_.secondStart(), pair_.secondEnd());
-  }
-  [[nodiscard]] Place on(int vertex, std::size_t from, std::size_t to) const {
-    constexpr double kSamePoint = 5e-4;  // of the diagonal: as far apart as edges that meet
+  [[nodiscard]] Place onFirst(int vertex) const { return on(vertex, pair_.chain(0)); }
+  [[nodiscard]] Place onSecond(int vertex) const { return on(vertex, pair_.chain(1)); }
+  [[nodiscard]] Place on(int vertex, const boundary::SideRange& chain) const {
     const Eigen::Vector3d point = pointOf(vertex);
-    double nearest = kSamePoint * pair_.sides.diagonal;
+    double nearest = boundary::kLargestCornerGap * pair_.sides.diagonal;
     Place found;
-    for (std::size_t k = from; k < to; ++k)
+    for (std::size_t k = chain.first; k < chain.second; ++k)
       for (const double t : {0.0, 1.0}) {
         const double distance = (pair_.sides.sides[k].ribbon.curve(t).point - point).norm();
         if (distance <= nearest) nearest = distance, found = boundary::LoopPlace{k, t};
@@ -261,7 +258,7 @@ Result<std::vector<SideChain>> chainsOfRing(const ShapeIndex& index,
                                             const BorderGraph& graph,
                                             const BlendPicks& picks) {
   auto groups = groupsOf(index, graph, picks.to);
-  if (!groups || (groups->size() < 2 && !picks.ring)) return {};
+  if (!groups || groups->size() < 2) return {};
   groups->insert(groups->begin(), picks.from);
   auto chains = chainsOf(index, graph, *groups, picks);
   if (picks.ring) return chains;
@@ -274,10 +271,9 @@ Result<std::vector<SideChain>> chainsOfRing(const ShapeIndex& index,
 Result<boundary::LoopPlace> placeOnRims(const boundary::BoundaryLoop& rims,
                                         const Eigen::Vector3d& end,
                                         int edge) {
-  constexpr double kOnRim = 5e-4;  // of the diagonal: as far apart as edges that meet
   const boundary::LoopPlace place = boundary::nearestPlace(rims, end);
   const double distance = (boundary::pointAt(rims, place) - end).norm();
-  if (distance > kOnRim * rims.diagonal)
+  if (distance > boundary::kLargestCornerGap * rims.diagonal)
     return fail({.code = ErrorCode::CutOffRims, .edge = edge, .where = end, .value = distance});
   return place;
 }

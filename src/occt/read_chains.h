@@ -34,10 +34,10 @@ struct BlendPicks {
   std::vector<int> ends = {}, endFaces = {};
 
   [[nodiscard]] bool hasEnds() const { return !ends.empty() || !endFaces.empty(); }
-  [[nodiscard]] bool isSetBack() const {
-    return setback != std::array<double, 2>{} || !setbackCurve[0].empty() ||
-           !setbackCurve[1].empty();
+  [[nodiscard]] bool isSetBack(std::size_t side) const {
+    return setback[side] != 0.0 || !setbackCurve[side].empty();
   }
+  [[nodiscard]] bool isSetBack() const { return isSetBack(0) || isSetBack(1); }
 };
 
 /// What is wished of the edges, as picks of a hole.

@@ -20,8 +20,6 @@ using boundary::ChainPair;
 using Eigen::Vector3d;
 using Walk = std::vector<LoopEdge>;
 
-constexpr double kSamePoint = 5e-4;  // of the diagonal: as far apart as edges that meet
-
 std::set<int> borderOf(const BorderGraph& graph, int face) {
   std::set<int> positions;
   for (std::size_t k = 0; k < graph.edges().size(); ++k)
@@ -169,7 +167,7 @@ class EndFinder {
       for (const int node : nodes_[chain])
         if (const double own = wall.nearest(graph_.point(node)).distance; own >= distance)
           distance = own, where = graph_.point(node);
-      if (distance <= kSamePoint * pair_.sides.diagonal) {
+      if (distance <= boundary::kLargestCornerGap * pair_.sides.diagonal) {
         if (isTaken(chain)) return twice(chain, 0, face);
         walls_[chain] = face;
         found = true;

@@ -78,9 +78,6 @@ Result<Cut> cutOf(const ShapeIndex& index, const ChainPair& pair, std::size_t k,
 std::optional<Error> checkSetback(const ShapeIndex& index,
                                   const BlendPicks& picks,
                                   const ChainPair& pair) {
-  const auto isSetBack = [&](std::size_t chain) {
-    return picks.setback[chain] != 0.0 || !picks.setbackCurve[chain].empty();
-  };
   for (const std::size_t chain : {0U, 1U}) {
     if (!(picks.setback[chain] >= 0.0))
       return Error{.code = ErrorCode::SetbackNegative, .value = picks.setback[chain]};
@@ -90,7 +87,7 @@ std::optional<Error> checkSetback(const ShapeIndex& index,
   for (std::size_t k = 0; k < pair.sides.sides.size(); ++k) {
     const BoundarySide& side = pair.sides.sides[k];
     const bool hasFace = side.face > 0 && useIn(index, side.edge, side.face);
-    if (isSetBack(pair.chainOf(k)) && !hasFace)
+    if (picks.isSetBack(pair.chainOf(k)) && !hasFace)
       return Error{.code = ErrorCode::SetbackWithoutFace, .edge = side.edge};
   }
   return std::nullopt;
@@ -103,27 +100,33 @@ Result<std::vector<Cut>> cutsOf(const ShapeIndex& index,
                                 std::size_t chain,
                                 std::vector<analysis::Note>& notes) {
   std::vector<Cut> cuts;
-  LaidCurve laid;
-  const std::vector<int>& drawn = picks.setbackCurve[chain];
-  if (drawn.empty() && picks.setback[chain] == 0.0) return cuts;
-  if (!drawn.empty()) {
-    auto curve = layOntoFaces(index, drawn, pair, chain);
-    if (!curve) return fail(curve.error());
-    laid = std::move(*curve);
-    notes.insert(notes.end(), laid.notes.begin(), laid.notes.end());
-  }
-  for (std::size_t k = 0; k < pair.sides.sides.size(); ++k) {
-    if (pair.chainOf(k) != chain) continue;
-    const BoundarySide& side = pair.sides.sides[k];
-    if (!drawn.empty()) {
-      cuts.push_back({side.edge, side.face, laid.onFace[side.face], ErrorCode::SetbackCurveBeside});
-      continue;
+  if (!picks.isSetBack(chain)) return cuts;
+  const auto [first, end] = pair.chain(chain);
+  if (const std::vector<int>& drawn = picks.setbackCurve[chain]; !drawn.empty()) {
+    auto laid = layOntoFaces(index, drawn, pair, chain);
+    if (!laid) return fail(laid.error());
+    notes.insert(notes.end(), laid->notes.begin(), laid->notes.end());
+    for (std::size_t k = first; k < end; ++k) {
+      const BoundarySide& side = pair.sides.sides[k];
+      cuts.push_back(
+          {side.edge, side.face, laid->onFace[side.face], ErrorCode::SetbackCurveBeside});
     }
+    return cuts;
+  }
+  for (std::size_t k = first; k < end; ++k) {
     auto cut = cutOf(index, pair, k, picks.setback[chain]);
     if (!cut) return fail(cut.error());
     cuts.push_back(std::move(*cut));
   }
   return cuts;
+}
+
+/// What bears a number of the user's.
+std::vector<int> ownNumbers(const std::map<int, int>& users, int user) {
+  std::vector<int> numbers;
+  for (const auto& [number, own] : users)
+    if (own == user) numbers.push_back(number);
+  return numbers;
 }
 
 /// What shapes have become.
@@ -195,7 +198,7 @@ class Trimming {
 
   /// The new base; fails with SetbackTooLarge, SetbackCurveBeside and EdgeNotInLoop.
   [[nodiscard]] Result<TrimmedBase> finish(const BlendPicks& picks, const ChainPair& pair) {
-    TrimmedBase base{ShapeIndex(stayingFaces()), {.continuity = picks.continuity}, {}, {}};
+    TrimmedBase base{ShapeIndex(stayingFaces()), {}, {}, {}};
     ShapeMap edges, faces;
     TopExp::MapShapes(base.index.shape(), TopAbs_EDGE, edges);
     TopExp::MapShapes(base.index.shape(), TopAbs_FACE, faces);
@@ -206,11 +209,7 @@ class Trimming {
       for (const int number : numbersOf(index_.face(face), faces))
         base.users.faces.emplace(number, face);
     if (const auto uncut = nameBorders(edges, base)) return fail(*uncut);
-    for (std::size_t k = 0; k < pair.sides.sides.size(); ++k)
-      for (const auto& [number, user] : base.users.edges)
-        if (user == pair.sides.sides[k].edge)
-          (pair.chainOf(k) == 0 ? base.picks.from : base.picks.to).push_back(number);
-    if (const auto stray = translate(picks.edgeContinuity, base)) return fail(*stray);
+    if (const auto stray = translate(picks, pair, base)) return fail(*stray);
     return base;
   }
 
@@ -241,17 +240,30 @@ class Trimming {
     }
     return std::nullopt;
   }
-  static std::optional<Error> translate(const std::map<int, Continuity>& wishes,
+  /// The wishes in the base's numbers; fails where one is about an edge that was cut off.
+  static std::optional<Error> translate(const BlendPicks& picks,
+                                        const ChainPair& pair,
                                         TrimmedBase& base) {
-    for (const auto& [edge, wish] : wishes) {
-      bool known = false;
-      for (const auto& [number, user] : base.users.edges) {
-        if (user != edge) continue;
-        base.picks.edgeContinuity[number] = wish;
-        known = true;
-      }
-      if (!known) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+    BlendPicks& inner = base.picks;
+    inner.continuity = picks.continuity;
+    inner.match = picks.match;
+    inner.alignment = picks.alignment;
+    for (const std::size_t chain : {0U, 1U})
+      for (auto [k, end] = pair.chain(chain); k < end; ++k)
+        for (const int number : ownNumbers(base.users.edges, pair.sides.sides[k].edge))
+          (chain == 0 ? inner.from : inner.to).push_back(number);
+    for (const auto& [edge, wish] : picks.edgeContinuity) {
+      const std::vector<int> numbers = ownNumbers(base.users.edges, edge);
+      if (numbers.empty()) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+      for (const int number : numbers) inner.edgeContinuity[number] = wish;
     }
+    for (const int edge : picks.ends) {
+      const std::vector<int> numbers = ownNumbers(base.users.edges, edge);
+      if (numbers.empty()) return Error{.code = ErrorCode::EdgeNotInLoop, .edge = edge};
+      inner.ends.insert(inner.ends.end(), numbers.begin(), numbers.end());
+    }
+    for (const int face : picks.endFaces)
+      for (const int number : ownNumbers(base.users.faces, face)) inner.endFaces.push_back(number);
     return std::nullopt;
   }
 

@@ -21,7 +21,7 @@ struct UserNumbers {
 /// stand for.
 struct TrimmedBase {
   ShapeIndex index;
-  BlendPicks picks;   ///< the same wishes in its numbers, without a setback
+  BlendPicks picks;   ///< the same wishes in its numbers, without setback and pairs
   UserNumbers users;  ///< an edge that was set back gives its number to the curve it went to
   std::vector<analysis::Note> notes;  ///< of drawn curves, in the user's numbers
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/layout/layout_plan.h"
 #include "core/spline/fit_curve.h"
 #include "occt/face_projector.h"
 #include "occt/guarded.h"
@@ -20,8 +21,6 @@ using spline::CurvePoint;
 
 constexpr int kSamples = 32;
 constexpr double kFit = 1e-8;         // of the diagonal
-constexpr double kSamePoint = 5e-4;   // of the diagonal: as far apart as edges that meet
-constexpr int kMostPoles = 48;        // as many as a strip takes over
 constexpr double kSameNormal = 0.02;  // sine: planes closer to each other share no line
 constexpr double kDifference = 1e-4;
 
@@ -119,7 +118,7 @@ std::optional<Error> leavesFace(const Wall& wall, int face, const Slide& slide, 
   for (int k = 0; k <= kSamples; ++k) {
     const Vector3d point = slide.at(double(k) / kSamples).point;
     const double beyond = wall.beyond(point);
-    if (beyond <= std::max(error.value, kSamePoint * diagonal)) continue;
+    if (beyond <= std::max(error.value, boundary::kLargestCornerGap * diagonal)) continue;
     error.value = beyond;
     error.where = point;
   }
@@ -156,10 +155,10 @@ Result<BoundarySide> slidingEnd(const ShapeIndex& index,
     if (const auto leaves = leavesFace(wall, face, slide, diagonal)) return fail(*leaves);
     const auto given = [&](double t) { return slide.at(t); };
     const spline::KnotVector own = patch.v.mapped(0.0, 1.0);
-    const auto knots =
-        spline::knotsThatFit({given}, isFirst ? own : own.reversed(), kFit * diagonal, kMostPoles);
+    const auto knots = spline::knotsThatFit(
+        {given}, isFirst ? own : own.reversed(), kFit * diagonal, layout::kMostPolesOfOne);
     const spline::CurveFit fit = spline::fitCurve(given, knots);
-    if (fit.error() > kSamePoint * diagonal)
+    if (fit.error() > boundary::kLargestCornerGap * diagonal)
       return fail({.code = ErrorCode::CurveNotFitted, .face = face, .value = fit.error()});
     return sideAlong(fit.curve, face);
   });

@@ -102,7 +102,7 @@ std::string junctionSentence(const Error& e) {
           "The edges picked, edge {} among them, enclose a hole without a gap: fill the hole.",
           e.edge);
     default:
-      return fmt::format("A junction of three loops or more takes no {}: leave it out.", e.detail);
+      return fmt::format("A blend of three sides or more takes no {}: leave it out.", e.detail);
   }
 }
 

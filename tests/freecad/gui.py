@@ -6,6 +6,7 @@ import subprocess
 import threading
 import time
 
+import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
@@ -46,6 +47,40 @@ def look_at_all():
     Gui.SendMsgToActiveView("ViewFit")
     pump(0.5)
     return view
+
+
+def part(document, name, shape):
+    """An object that has a shape."""
+    obj = document.addObject("Part::Feature", name)
+    obj.Shape = shape
+    return obj
+
+
+def edge_at(shape, middle):
+    """The name of the edge with its centre of mass at a place."""
+    return next(f"Edge{number}" for number, edge in enumerate(shape.Edges, 1)
+                if edge.CenterOfMass.distanceToPoint(App.Vector(*middle)) < 1e-6)
+
+
+def select(document, *picks):
+    """Edges as a user selects them: pairs of an object, or its name, and an edge's name."""
+    Gui.Selection.clearSelection()
+    for obj, edge in picks:
+        Gui.Selection.addSelection(document.Name, obj if isinstance(obj, str) else obj.Name, edge)
+
+
+def keep_panels():
+    """A list that every panel opened from now on joins: tests look at what it draws."""
+    from fairing.panels.solving_panel import SolvingPanel
+
+    panels, launched = [], SolvingPanel.__init__
+
+    def keep(panel, session):
+        launched(panel, session)
+        panels.append(panel)
+
+    SolvingPanel.__init__ = keep
+    return panels
 
 
 def widget(name):

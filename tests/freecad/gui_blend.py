@@ -17,24 +17,13 @@ NAME = "Fairing_BlendFaces"
 said = []
 
 
-def edge_at(shape, middle):
-    return next(f"Edge{number}" for number, edge in enumerate(shape.Edges, 1)
-                if edge.CenterOfMass.distanceToPoint(App.Vector(*middle)) < 1e-6)
-
-
 def two_planes(name):
     """A document with two rectangles, objects of their own, and the edges that face each other."""
     document = App.newDocument(name)
     for label, y, z in (("Low", 0, 0), ("High", 20, 8)):
         document.addObject("Part::Feature", label).Shape = Part.makePlane(20, 10, App.Vector(0, y, z))
     document.recompute()
-    return document, edge_at(document.Low.Shape, (10, 10, 0)), edge_at(document.High.Shape, (10, 20, 8))
-
-
-def select(document, *picks):
-    Gui.Selection.clearSelection()
-    for obj, edge in picks:
-        Gui.Selection.addSelection(document.Name, obj, edge)
+    return document, gui.edge_at(document.Low.Shape, (10, 10, 0)), gui.edge_at(document.High.Shape, (10, 20, 8))
 
 
 def read_message_and_close():
@@ -49,7 +38,7 @@ document, low_edge, high_edge = two_planes("Planes")
 gui.look_at_all()
 
 # One edge: nothing to join. None: the panel asks.
-select(document, ("Low", low_edge))
+gui.select(document, ("Low", low_edge))
 assert not gui.action_is_enabled(NAME)
 Gui.Selection.clearSelection()
 assert gui.action_is_enabled(NAME)
@@ -80,12 +69,12 @@ menus = []
 workbench = Gui.activeWorkbench()
 workbench.appendContextMenu = lambda place, names: menus.append(names)
 for picks in ((("High", high_edge),), (("High", high_edge), ("Low", low_edge))):
-    select(document, *picks)
+    gui.select(document, *picks)
     workbench.ContextMenu("View")
 assert menus == [["Fairing_FillHole"], ["Fairing_FillHole", NAME]], menus
 
 # With two edges selected it shows the surface at once.
-select(document, ("High", high_edge), ("Low", low_edge))
+gui.select(document, ("High", high_edge), ("Low", low_edge))
 assert gui.action_is_enabled(NAME)
 Gui.runCommand(NAME)
 gui.wait_for_verdict("Meets all 2 edges")
@@ -123,12 +112,12 @@ assert document.Blend.isValid()
 
 # What cannot be joined is told in one sentence, and nothing is made.
 before = [obj.Name for obj in document.Objects]
-select(document, ("Low", low_edge), ("Low", edge_at(document.Low.Shape, (0, 5, 0))),
-       ("Low", edge_at(document.Low.Shape, (20, 5, 0))))
+gui.select(document, ("Low", low_edge), ("Low", gui.edge_at(document.Low.Shape, (0, 5, 0))),
+       ("Low", gui.edge_at(document.Low.Shape, (20, 5, 0))))
 QtCore.QTimer.singleShot(500, read_message_and_close)
 Gui.runCommand(NAME)
 assert said == ["The edges make one chain: a blend joins two or more."], said
-select(document, ("Blend", "Edge1"), ("Blend", "Edge1"))
+gui.select(document, ("Blend", "Edge1"), ("Blend", "Edge1"))
 assert not gui.action_is_enabled(NAME), "one edge picked twice"
 assert [obj.Name for obj in document.Objects] == before
 
@@ -137,7 +126,7 @@ group = App.ParamGet("User parameter:BaseApp/Preferences/Mod/Fairing")
 group.SetInt("Continuity", 2)
 group.SetInt("Result", 2)
 second, low_edge, high_edge = two_planes("Second")
-select(second, ("Low", low_edge), ("High", high_edge))
+gui.select(second, ("Low", low_edge), ("High", high_edge))
 App.ParamGet("User parameter:BaseApp/Preferences/Macro").SetString("MacroPath", folder)
 
 

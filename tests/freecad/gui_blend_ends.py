@@ -9,17 +9,6 @@ import Part
 import gui
 
 
-def edge_at(obj, middle):
-    return next(f"Edge{number}" for number, edge in enumerate(obj.Shape.Edges, 1)
-                if edge.CenterOfMass.distanceToPoint(App.Vector(*middle)) < 1e-6)
-
-
-def part(document, name, shape):
-    obj = document.addObject("Part::Feature", name)
-    obj.Shape = shape
-    return obj
-
-
 def pick(obj, name, count):
     Gui.Selection.addSelection(obj.Document.Name, obj.Name, name)
     gui.wait_for(lambda: gui.widget("endsList").count() == count, f"{count} in the list")
@@ -28,18 +17,16 @@ def pick(obj, name, count):
 
 gui.start()
 document = App.newDocument("Ends")
-low = part(document, "Low", Part.makePlane(20, 10))
-high = part(document, "High", Part.makePlane(20, 10, App.Vector(0, 20, 8)))
+low = gui.part(document, "Low", Part.makePlane(20, 10))
+high = gui.part(document, "High", Part.makePlane(20, 10, App.Vector(0, 20, 8)))
 curve = Part.BezierCurve()
 curve.setPoles([App.Vector(*pole) for pole in ((0, 10, 0), (0, 14, 0), (0, 16, 8), (0, 20, 8))])
-curve = part(document, "Curve", curve.toShape())
-wall = part(document, "Wall", Part.makePlane(30, 30, App.Vector(20, 30, -10), App.Vector(1, 0, 0)))
+curve = gui.part(document, "Curve", curve.toShape())
+wall = gui.part(document, "Wall", Part.makePlane(30, 30, App.Vector(20, 30, -10), App.Vector(1, 0, 0)))
 document.recompute()
 gui.look_at_all()
 
-Gui.Selection.clearSelection()
-for obj, middle in ((low, (10, 10, 0)), (high, (10, 20, 8))):
-    Gui.Selection.addSelection(document.Name, obj.Name, edge_at(obj, middle))
+gui.select(document, (low, gui.edge_at(low.Shape, (10, 10, 0))), (high, gui.edge_at(high.Shape, (10, 20, 8))))
 Gui.runCommand("Fairing_BlendFaces")
 gui.wait_for_verdict()
 gui.widget("moreButton").setChecked(True)

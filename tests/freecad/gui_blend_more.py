@@ -6,44 +6,15 @@ macros."""
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from fairing.panels.solving_panel import SolvingPanel
 
 import gui
 
-panels = []
-launched = SolvingPanel.__init__
-
-
-def keep_panel(self, session):  # tests look at what the panel draws
-    launched(self, session)
-    panels.append(self)
-
-
-SolvingPanel.__init__ = keep_panel
-
-
-def edge_at(obj, middle):
-    return next(f"Edge{number}" for number, edge in enumerate(obj.Shape.Edges, 1)
-                if edge.CenterOfMass.distanceToPoint(App.Vector(*middle)) < 1e-6)
+panels = gui.keep_panels()
 
 
 def vertex_at(obj, point):
     return next(f"Vertex{number}" for number, vertex in enumerate(obj.Shape.Vertexes, 1)
                 if vertex.Point.isEqual(App.Vector(*point), 1e-6))
-
-
-def part(document, name, shape):
-    obj = document.addObject("Part::Feature", name)
-    obj.Shape = shape
-    return obj
-
-
-def open_panel(document, *picks):
-    Gui.Selection.clearSelection()
-    for obj, edge in picks:
-        Gui.Selection.addSelection(document.Name, obj.Name, edge)
-    Gui.runCommand("Fairing_BlendFaces")
-    gui.wait_for_verdict()
 
 
 def matches():
@@ -56,12 +27,14 @@ gui.start()
 
 # Open sides: folded away until asked for; every choice reaches the object.
 document = App.newDocument("Planes")
-low = part(document, "Low", Part.makePlane(20, 10))
-high = part(document, "High", Part.makePlane(20, 10, App.Vector(0, 20, 8)))
+low = gui.part(document, "Low", Part.makePlane(20, 10))
+high = gui.part(document, "High", Part.makePlane(20, 10, App.Vector(0, 20, 8)))
 document.recompute()
 gui.look_at_all()
-low_edge, high_edge = edge_at(low, (10, 10, 0)), edge_at(high, (10, 20, 8))
-open_panel(document, (low, low_edge), (high, high_edge))
+low_edge, high_edge = gui.edge_at(low.Shape, (10, 10, 0)), gui.edge_at(high.Shape, (10, 20, 8))
+gui.select(document, (low, low_edge), (high, high_edge))
+Gui.runCommand("Fairing_BlendFaces")
+gui.wait_for_verdict()
 assert gui.widget("moreButton").isVisible() and not gui.widget("moreBox").isVisible()
 gui.widget("moreButton").click()
 assert gui.widget("moreBox").isVisible() and not gui.widget("alignmentSlider").isEnabled()
@@ -145,12 +118,14 @@ gui.wait_for_verdict()
 gui.type_into("toSetbackSpin", "0 mm")
 gui.wait_for_verdict()
 gui.press("Cancel")
-split = part(document, "Split", Part.makeShell([Part.makePlane(6, 10, App.Vector(0, 50, 0)),
+split = gui.part(document, "Split", Part.makeShell([Part.makePlane(6, 10, App.Vector(0, 50, 0)),
                                                 Part.makePlane(14, 10, App.Vector(6, 50, 0))]))
-other = part(document, "Other", Part.makeShell([Part.makePlane(12, 10, App.Vector(0, 70, 8)),
+other = gui.part(document, "Other", Part.makeShell([Part.makePlane(12, 10, App.Vector(0, 70, 8)),
                                                 Part.makePlane(8, 10, App.Vector(12, 70, 8))]))
 document.recompute()
-open_panel(document, (split, edge_at(split, (3, 60, 0))), (other, edge_at(other, (6, 70, 8))))
+gui.select(document, (split, gui.edge_at(split.Shape, (3, 60, 0))), (other, gui.edge_at(other.Shape, (6, 70, 8))))
+Gui.runCommand("Fairing_BlendFaces")
+gui.wait_for_verdict()
 gui.widget("moreButton").setChecked(True)
 gui.widget("pairButton").click()
 Gui.Selection.addSelection(document.Name, "Other", vertex_at(other, (12, 70, 8)))
@@ -170,12 +145,14 @@ assert paired.isValid()
 
 # Closed sides: where the blend starts is shown on both, and can be turned.
 pipes = App.newDocument("Pipes")
-tubes = [part(pipes, name, Part.makeCircle(radius, App.Vector(0, 0, z)).extrude(App.Vector(0, 0, 15)))
+tubes = [gui.part(pipes, name, Part.makeCircle(radius, App.Vector(0, 0, z)).extrude(App.Vector(0, 0, 15)))
          for name, radius, z in (("Wide", 10, 0), ("Narrow", 6, 30))]
 pipes.recompute()
 gui.look_at_all()
-rims = [edge_at(tube, (0, 0, z)) for tube, z in zip(tubes, (15, 30))]
-open_panel(pipes, *zip(tubes, rims))
+rims = [gui.edge_at(tube.Shape, (0, 0, z)) for tube, z in zip(tubes, (15, 30))]
+gui.select(pipes, *zip(tubes, rims))
+Gui.runCommand("Fairing_BlendFaces")
+gui.wait_for_verdict()
 gui.widget("moreButton").setChecked(True)
 assert gui.widget("alignmentSlider").isEnabled() and not gui.widget("fromReachEndCheck").isEnabled()
 assert len(matches()) == 1

@@ -8,27 +8,12 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from fairing.panels.solving_panel import SolvingPanel
 
 import gui
 
 LONGEST_FRAME = 0.033  # s from a slider's value to triangles, median; what the window's thread computes, so that other
 # processes of a busy machine do not count
-panels = []
-launched = SolvingPanel.__init__
-
-
-def keep_panel(self, session):  # tests look at what the panel draws
-    launched(self, session)
-    panels.append(self)
-
-
-SolvingPanel.__init__ = keep_panel
-
-
-def edge_at(shape, middle):
-    return next(f"Edge{number}" for number, edge in enumerate(shape.Edges, 1)
-                if edge.CenterOfMass.distanceToPoint(App.Vector(*middle)) < 1e-6)
+panels = gui.keep_panels()
 
 
 def tube(document, name, radius, bottom, height):
@@ -40,12 +25,6 @@ def tube(document, name, radius, bottom, height):
 def rim(obj, z):
     return next(f"Edge{number}" for number, edge in enumerate(obj.Shape.Edges, 1)
                 if edge.BoundBox.ZLength < 1e-6 and abs(edge.BoundBox.ZMin - z) < 1e-6)
-
-
-def select(document, *picks):
-    Gui.Selection.clearSelection()
-    for obj, edge in picks:
-        Gui.Selection.addSelection(document.Name, obj, edge)
 
 
 def drawn_points():
@@ -67,7 +46,7 @@ low, high = tube(document, "Low", 10, 0, 20), tube(document, "High", 6, 35, 15)
 document.recompute()
 edges = rim(low, 20), rim(high, 35)
 view = gui.look_at_all()
-select(document, ("Low", edges[0]), ("High", edges[1]))
+gui.select(document, ("Low", edges[0]), ("High", edges[1]))
 Gui.runCommand("Fairing_BlendFaces")
 gui.wait_for_verdict("Meets all 2 edges")
 assert reaches() == (1.0, 1.0) and gui.widget("fromReachSlider").value() == 0
@@ -131,8 +110,8 @@ upper = planes.addObject("Part::Feature", "Upper")
 upper.Shape = Part.makePlane(20, 10, App.Vector(0, 20, 8))
 planes.recompute()
 view = gui.look_at_all()
-picked, found = edge_at(floor.Shape, (4, 10, 0)), edge_at(floor.Shape, (14, 10, 0))
-select(planes, ("Floor", picked), ("Upper", edge_at(upper.Shape, (10, 20, 8))))
+picked, found = gui.edge_at(floor.Shape, (4, 10, 0)), gui.edge_at(floor.Shape, (14, 10, 0))
+gui.select(planes, ("Floor", picked), ("Upper", gui.edge_at(upper.Shape, (10, 20, 8))))
 Gui.runCommand("Fairing_BlendFaces")
 gui.wait_for_verdict("Meets all 3 edges")
 table = gui.widget("fromTable")
@@ -160,7 +139,8 @@ assert not gui.widget("fromReachRow").isVisible()
 gui.press("Cancel")
 assert planes.Blend.FromEdges == [(floor, (picked,))]
 
-# Three pipes that are three objects: a junction of the first picked one with the others. Its reach has no arrow, but a slider.
+# Three pipes that are three objects: a junction of the first picked one with the others. Its reach has a slider, but no
+# arrow.
 junction = App.newDocument("Junction")
 rims = []
 for name, turn in (("A", 0), ("B", 120), ("C", 240)):
@@ -169,7 +149,7 @@ for name, turn in (("A", 0), ("B", 120), ("C", 240)):
     pipe.Placement = App.Placement(App.Vector(), App.Rotation(App.Vector(0, 1, 0), turn))
 junction.recompute()
 gui.look_at_all()
-select(junction, *((pipe.Name, edge) for pipe, edge in rims))
+gui.select(junction, *((pipe.Name, edge) for pipe, edge in rims))
 assert gui.action_is_enabled("Fairing_BlendFaces")
 Gui.runCommand("Fairing_BlendFaces")
 gui.wait_for_verdict("Meets all 3 edges")

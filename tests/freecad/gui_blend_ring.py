@@ -10,12 +10,6 @@ import Part
 import gui
 
 
-def part(document, name, shape):
-    obj = document.addObject("Part::Feature", name)
-    obj.Shape = shape
-    return obj
-
-
 def arched_strip(turn):
     """A strip like a fillet that comes in from a direction and ends 10 mm before the origin, and the middle of the
     edge it ends with."""
@@ -33,24 +27,18 @@ def edge_through(obj, point):
                 if edge.distToShape(Part.Vertex(point))[0] < 1e-6)
 
 
-def open_panel(document, *picks):
-    Gui.Selection.clearSelection()
-    for obj, edge in picks:
-        Gui.Selection.addSelection(document.Name, obj.Name, edge)
-    Gui.runCommand("Fairing_BlendFaces")
-
-
 gui.start()
 
 document = App.newDocument("Vertex")
 picks = []
 for number in range(3):
     shape, middle = arched_strip(2 * math.pi * number / 3)
-    obj = part(document, f"Fillet{number + 1}", shape)
+    obj = gui.part(document, f"Fillet{number + 1}", shape)
     picks.append((obj, edge_through(obj, middle)))
 document.recompute()
 gui.look_at_all()
-open_panel(document, *picks)
+gui.select(document, *picks)
+Gui.runCommand("Fairing_BlendFaces")
 # Sides that do not connect are a mistake, or meant: the panel says so, and asks.
 gui.wait_for_verdict("Edge")
 assert "ring of sides" in gui.verdict(), gui.verdict()
@@ -79,16 +67,17 @@ for number in range(3):
     turn = 2 * math.pi * number / 3
     along = App.Vector(math.cos(turn), math.sin(turn), 0)
     pipe = Part.makeCylinder(5, 8, 14 * along, along).Faces
-    wall = part(document, f"Pipe{number + 1}", next(face for face in pipe if len(face.Edges) == 3))
+    wall = gui.part(document, f"Pipe{number + 1}", next(face for face in pipe if len(face.Edges) == 3))
     walls.append(wall)
     rims.append((wall, next(f"Edge{index}" for index, edge in enumerate(wall.Shape.Edges, 1)
                             if edge.isClosed() and (edge.CenterOfMass - 14 * along).Length < 1e-6)))
 document.recompute()
 ends = [obj.Shape.getElement(edge).discretize(9)[index] for (obj, edge), index in zip(rims, (1, 3))]
-line = part(document, "Line", Part.makeLine(*ends))
+line = gui.part(document, "Line", Part.makeLine(*ends))
 document.recompute()
 gui.look_at_all()
-open_panel(document, *rims)
+gui.select(document, *rims)
+Gui.runCommand("Fairing_BlendFaces")
 gui.wait_for_verdict()
 assert gui.widget("cutsButton").isVisible() and not gui.widget("ringCheck").isVisible()
 gui.widget("cutsButton").click()

@@ -22,7 +22,7 @@ using namespace fairing::testing;
 using Eigen::Vector3d;
 constexpr double kPi = std::numbers::pi;
 
-TopoDS_Shape polygon(const std::vector<Vector3d>& points) {
+TopoDS_Shape edgesRound(const std::vector<Vector3d>& points) {
   std::vector<TopoDS_Shape> edges;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3d& a = points[i];
@@ -39,7 +39,7 @@ Error errorOf(const TopoDS_Shape& shape, const Picks& picks, const FillOptions& 
 }
 
 TEST(BadInput, ALoopThatCrossesItselfIsNamedWithThePlace) {
-  const TopoDS_Shape bow = polygon({{0, 0, 0}, {10, 10, 0}, {10, 0, 0}, {0, 10, 0}});
+  const TopoDS_Shape bow = edgesRound({{0, 0, 0}, {10, 10, 0}, {10, 0, 0}, {0, 10, 0}});
   const Error error = errorOf(bow, {.edges = {1, 2, 3, 4}});
   EXPECT_EQ(error.code, ErrorCode::LoopCrossesItself);
   ASSERT_TRUE(error.where.has_value());
@@ -47,9 +47,9 @@ TEST(BadInput, ALoopThatCrossesItselfIsNamedWithThePlace) {
 }
 
 TEST(BadInput, ALoopThatPassesItselfAtADistanceIsNotRefused) {
-  const TopoDS_Shape twisted = polygon({{0, 0, 0}, {10, 10, 0}, {10, 0, 2}, {0, 10, 2}});
+  const TopoDS_Shape twisted = edgesRound({{0, 0, 0}, {10, 10, 0}, {10, 0, 2}, {0, 10, 2}});
   EXPECT_TRUE(readBoundary(ShapeIndex(twisted), {.edges = {1, 2, 3, 4}}).has_value());
-  const TopoDS_Shape sharp = polygon({{0, 0, 0}, {30, 0, 0}, {30, 0.2, 0}, {0, 0.1, 0}});
+  const TopoDS_Shape sharp = edgesRound({{0, 0, 0}, {30, 0, 0}, {30, 0.2, 0}, {0, 0.1, 0}});
   EXPECT_TRUE(readBoundary(ShapeIndex(sharp), {.edges = {1, 2, 3, 4}}).has_value());
   EXPECT_TRUE(readBoundary(ShapeIndex(sheetWithHole()),
                            {.edges = innerFreeEdges(ShapeIndex(sheetWithHole()))})

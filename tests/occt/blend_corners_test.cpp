@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -22,13 +21,6 @@ using namespace fairing::testing;
 using boundary::MatchKind;
 using Eigen::Vector3d;
 
-TopoDS_Shape polygon(const std::vector<Vector3d>& corners) {
-  BRepBuilderAPI_MakePolygon wire;
-  for (const Vector3d& corner : corners) wire.Add(toPoint(corner));
-  wire.Close();
-  return BRepBuilderAPI_MakeFace(wire.Wire()).Face();
-}
-
 /// A box of given half widths about the z-axis without lid and bottom.
 TopoDS_Shape frame(double x, double y, double low, double high) {
   const std::vector<Vector3d> corners{{x, y, 0}, {-x, y, 0}, {-x, -y, 0}, {x, -y, 0}};
@@ -43,13 +35,6 @@ TopoDS_Shape frame(double x, double y, double low, double high) {
 /// Middles of the rim of a frame at a height.
 std::vector<Vector3d> rim(double x, double y, double z) {
   return {{x, 0, z}, {0, y, z}, {-x, 0, z}, {0, -y, z}};
-}
-
-BlendPicks picksNear(const TopoDS_Shape& shape,
-                     const std::vector<Vector3d>& from,
-                     const std::vector<Vector3d>& to) {
-  const ShapeIndex index(shape);
-  return {.from = edgesNear(index, from), .to = edgesNear(index, to)};
 }
 
 TopoDS_Shape twoFrames() {

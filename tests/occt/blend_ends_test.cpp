@@ -3,7 +3,6 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -25,13 +24,6 @@ namespace {
 using namespace fairing::testing;
 using Eigen::Vector3d;
 
-TopoDS_Shape polygon(const std::vector<Vector3d>& corners) {
-  BRepBuilderAPI_MakePolygon wire;
-  for (const Vector3d& corner : corners) wire.Add(toPoint(corner));
-  wire.Close();
-  return BRepBuilderAPI_MakeFace(wire.Wire()).Face();
-}
-
 /// A lone edge along a Bezier curve.
 TopoDS_Shape bezier(const std::vector<Vector3d>& poles) {
   TColgp_Array1OfPnt points(1, int(poles.size()));
@@ -50,15 +42,6 @@ TopoDS_Shape plates() {
                    polygon({{0, 10, 6}, {20, 10, 6}, {20, 19, 6}, {0, 19, 6}}),
                    sCurve(0.0),
                    sCurve(20.0)});
-}
-
-BlendPicks picksNear(const TopoDS_Shape& shape,
-                     const std::vector<Vector3d>& from,
-                     const std::vector<Vector3d>& to,
-                     const std::vector<Vector3d>& ends) {
-  const ShapeIndex index(shape);
-  return {
-      .from = edgesNear(index, from), .to = edgesNear(index, to), .ends = edgesNear(index, ends)};
 }
 
 BlendPicks platePicks(const std::vector<Vector3d>& ends = {{0, 5, 3}, {20, 5, 3}}) {
@@ -390,12 +373,6 @@ TEST(BlendEnds, SlideWhereASetbackBegins) {
 }
 
 // --- Refusals.
-
-Error errorOf(const TopoDS_Shape& shape, const BlendPicks& picks) {
-  const auto blend = tryBlend(shape, picks);
-  EXPECT_FALSE(blend.has_value());
-  return blend ? Error{} : blend.error();
-}
 
 TEST(BlendEnds, ThatJoinNothingAreRefusedWithTheirDistance) {
   const TopoDS_Shape shape =

@@ -71,15 +71,6 @@ Faces fillets() {
   return result;
 }
 
-void expectWithin(const ShapeFill& blend) {
-  const analysis::FillReport& report = blend.fill.report;
-  EXPECT_TRUE(report.withinTolerance);
-  EXPECT_LT(report.largestAngle, 0.02);
-  EXPECT_LT(report.largestSeamAngle, 0.02);
-  EXPECT_LT(report.largestGap, 1e-6 * report.diagonal);
-  EXPECT_TRUE(BRepCheck_Analyzer(blend.shape).IsValid());
-}
-
 TEST(BlendRing, JoinsFilletsTangentially) {
   const ShapeFill blend = joined(fillets());
   EXPECT_EQ(blend.fill.layout, LayoutKind::Junction);
@@ -140,6 +131,14 @@ TEST(BlendRing, TakesChainsThatTouch) {
       blended(shape, {.from = {edges[0], edges[1]}, .to = {edges[2], edges[3]}, .ring = true});
   EXPECT_EQ(blend.fill.patches.size(), 7U);
   expectWithin(blend);
+  // The chain it starts from is held by the first one, also where another one touches its start.
+  for (const auto& [from, other] : {std::pair{edges[0], edges[1]}, {edges[1], edges[0]}}) {
+    const ShapeFill same =
+        blended(shape, {.from = {from}, .to = {other, edges[2], edges[3]}, .ring = true});
+    EXPECT_LT(apart(blend, same), 1e-6 * blend.fill.report.diagonal);
+    EXPECT_THAT((std::vector{same.loop.sides[0].edge, same.loop.sides[1].edge}),
+                ::testing::UnorderedElementsAre(edges[0], edges[1]));
+  }
 }
 
 TEST(BlendRing, SewsToItsFaces) {

@@ -210,11 +210,8 @@ TEST(BlendShape, MeetsEveryEdgeOfARimAsAsked) {
                                     {.from = {edges[0], edges[1]},
                                      .to = {edges[2]},
                                      .edgeContinuity = {{edges[0], one}, {edges[1], other}}});
-    const analysis::FillReport& report = blend.fill.report;
-    EXPECT_TRUE(report.withinTolerance) << int(one) << int(other);
-    EXPECT_LT(report.largestAngle, 0.02);
-    EXPECT_LT(report.largestSeamAngle, 0.02);
-    EXPECT_LT(report.largestGap, 1e-6 * report.diagonal);
+    SCOPED_TRACE(::testing::Message() << int(one) << int(other));
+    expectWithin(blend);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -34,20 +35,45 @@ occt::ShapeFill blended(const TopoDS_Shape& shape,
   return result ? occt::ShapeFill(*result) : occt::ShapeFill{};
 }
 
+Error errorOf(const TopoDS_Shape& shape,
+              const occt::BlendPicks& picks,
+              const BlendOptions& options) {
+  const auto result = tryBlend(shape, picks, occt::ResultMode::Patches, options);
+  EXPECT_FALSE(result.has_value());
+  return result ? Error{} : result.error();
+}
+
 ErrorCode refusal(const TopoDS_Shape& shape,
                   const occt::BlendPicks& picks,
                   const BlendOptions& options) {
-  const auto result = tryBlend(shape, picks, occt::ResultMode::Patches, options);
-  EXPECT_FALSE(result.has_value());
-  return result ? ErrorCode::Foreign : result.error().code;
+  return errorOf(shape, picks, options).code;
+}
+
+void expectWithin(const occt::ShapeFill& blend) {
+  const analysis::FillReport& report = blend.fill.report;
+  EXPECT_TRUE(report.withinTolerance);
+  EXPECT_LT(report.largestAngle, 0.02);
+  EXPECT_LT(report.largestSeamAngle, 0.02);
+  EXPECT_LT(report.largestGap, 1e-6 * report.diagonal);
+  EXPECT_TRUE(BRepCheck_Analyzer(blend.shape).IsValid());
+}
+
+occt::BlendPicks picksNear(const TopoDS_Shape& shape,
+                           const std::vector<Vector3d>& from,
+                           const std::vector<Vector3d>& to,
+                           const std::vector<Vector3d>& ends) {
+  const occt::ShapeIndex index(shape);
+  return {
+      .from = edgesNear(index, from), .to = edgesNear(index, to), .ends = edgesNear(index, ends)};
 }
 
 occt::BlendPicks between(const TopoDS_Shape& shape,
                          const Vector3d& from,
                          const Vector3d& to,
                          Continuity continuity) {
-  const auto edges = edgesNear(occt::ShapeIndex(shape), {from, to});
-  return {.from = {edges[0]}, .to = {edges[1]}, .continuity = continuity};
+  occt::BlendPicks picks = picksNear(shape, {from}, {to});
+  picks.continuity = continuity;
+  return picks;
 }
 
 gp_Ax3 upright(double z) {

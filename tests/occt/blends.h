@@ -24,6 +24,19 @@ using Blended = Result<occt::ShapeBlend>;
                                 const occt::BlendPicks& picks,
                                 const BlendOptions& options = {});
 
+/// What a blend that is expected to fail says.
+[[nodiscard]] Error errorOf(const TopoDS_Shape& shape,
+                            const occt::BlendPicks& picks,
+                            const BlendOptions& options = {});
+
+/// Within tolerance, seams included, with gaps below 1e-6 of the diagonal, and valid faces.
+void expectWithin(const occt::ShapeFill& blend);
+
+/// The edges nearest to points of either side, and to those of the ends.
+[[nodiscard]] occt::BlendPicks picksNear(const TopoDS_Shape& shape,
+                                         const std::vector<Eigen::Vector3d>& from,
+                                         const std::vector<Eigen::Vector3d>& to,
+                                         const std::vector<Eigen::Vector3d>& ends = {});
 /// The edges nearest to two points, a side each.
 [[nodiscard]] occt::BlendPicks between(const TopoDS_Shape& shape,
                                        const Eigen::Vector3d& from,

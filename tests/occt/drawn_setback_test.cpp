@@ -335,15 +335,13 @@ TEST(DrawnSetback, TakesAnEdgeBetweenFaces) {
   EXPECT_EQ(blend.fill.report.sides[0].edge, picks.from.front());
 }
 
-Error failure(const Case& c) {
-  const auto result = tryBlend(c.shape, c.picks);
-  EXPECT_FALSE(result.has_value());
-  return result ? Error{} : result.error();
+Error errorOf(const Case& c) {
+  return fairing::testing::errorOf(c.shape, c.picks);
 }
 
 TEST(DrawnSetback, RefusesACurveTooFarOffItsFace) {
   const Case above = onFloor({line({-3, -1, 0.0}, {-3, 21, 4.0})});
-  const Error far = failure(above);
+  const Error far = errorOf(above);
   EXPECT_EQ(far.code, ErrorCode::SetbackCurveOff);
   EXPECT_EQ(far.edge, above.picks.setbackCurve[0].front());
   EXPECT_EQ(far.face, 1);
@@ -351,7 +349,7 @@ TEST(DrawnSetback, RefusesACurveTooFarOffItsFace) {
   EXPECT_NEAR(far.where.value().y(), 20.0, 0.2);
 
   Case wrong = onFloor({line({12, -1, 12}, {12, 21, 12})});  // on the wall, asked of the floor
-  const Error other = failure(wrong);
+  const Error other = errorOf(wrong);
   EXPECT_EQ(other.code, ErrorCode::SetbackCurveOff);
   EXPECT_NEAR(other.value, std::hypot(12.0, 12.0), 0.1);
   std::swap(wrong.picks.setbackCurve[0], wrong.picks.setbackCurve[1]);
@@ -360,7 +358,7 @@ TEST(DrawnSetback, RefusesACurveTooFarOffItsFace) {
 
 TEST(DrawnSetback, RefusesACurveThatEndsInsideTheFace) {
   const Case c = onFloor({line({-3, 5, 0}, {-3, 21, 0})});
-  const Error error = failure(c);
+  const Error error = errorOf(c);
   EXPECT_EQ(error.code, ErrorCode::SetbackCurveShort);
   EXPECT_EQ(error.edge, c.picks.setbackCurve[0].front());
   EXPECT_NEAR(error.value, 5.0, 1e-6);
@@ -369,14 +367,14 @@ TEST(DrawnSetback, RefusesACurveThatEndsInsideTheFace) {
 
 TEST(DrawnSetback, RefusesEdgesThatMakeNoSingleChain) {
   const Case apart = onFloor({line({-3, -1, 0}, {-3, 8, 0}), line({-3, 9, 0}, {-3, 21, 0})});
-  const Error broken = failure(apart);
+  const Error broken = errorOf(apart);
   EXPECT_EQ(broken.code, ErrorCode::SetbackCurveBroken);
   EXPECT_EQ(broken.edge, apart.picks.setbackCurve[0].back());
   EXPECT_LT((broken.where.value() - Vector3d(-3, 9, 0)).norm(), 1e-9);
   const Vector3d middle(-3, 10, 0);
   const Case fork =
       onFloor({line({-3, -1, 0}, middle), line(middle, {-2, 21, 0}), line(middle, {-5, 21, 0})});
-  EXPECT_EQ(failure(fork).code, ErrorCode::SetbackCurveBroken);
+  EXPECT_EQ(errorOf(fork).code, ErrorCode::SetbackCurveBroken);
 }
 
 TEST(DrawnSetback, RefusesAClosedCurveOnAnOpenSideAndTheOther) {
@@ -385,17 +383,17 @@ TEST(DrawnSetback, RefusesAClosedCurveOnAnOpenSideAndTheOther) {
     const double angle = std::numbers::pi * k / 6;
     round.emplace_back(-5 + 3 * std::cos(angle), 10 + 3 * std::sin(angle), 0);
   }
-  const Error open = failure(onFloor({spline(round, true)}));
+  const Error open = errorOf(onFloor({spline(round, true)}));
   EXPECT_EQ(open.code, ErrorCode::SetbackCurveUnlike);
   EXPECT_EQ(open.detail, "open");
-  const Error closed = failure(onPipe({arc({5, 0, -11}, {0, 5, -11}, {-5, 0, -11})}));
+  const Error closed = errorOf(onPipe({arc({5, 0, -11}, {0, 5, -11}, {-5, 0, -11})}));
   EXPECT_EQ(closed.code, ErrorCode::SetbackCurveUnlike);
   EXPECT_EQ(closed.detail, "closed");
 }
 
 TEST(DrawnSetback, RefusesACurveThatDoesNotCutTheEdgeOff) {
   const Case across = onFloor({line({-11, 10, 0}, {1, 10, 0})});  // across the edge itself
-  const Error error = failure(across);
+  const Error error = errorOf(across);
   EXPECT_EQ(error.code, ErrorCode::SetbackCurveBeside);
   EXPECT_EQ(error.edge, across.picks.from.front());
   EXPECT_EQ(error.face, 1);
@@ -404,12 +402,12 @@ TEST(DrawnSetback, RefusesACurveThatDoesNotCutTheEdgeOff) {
 TEST(DrawnSetback, RefusesADistanceAndACurveOnOneSide) {
   Case c = onFloor({line({-3, -1, 0}, {-3, 21, 0})});
   c.picks.setback = {1.0, 0.0};
-  const Error error = failure(c);
+  const Error error = errorOf(c);
   EXPECT_EQ(error.code, ErrorCode::SetbackTwice);
   EXPECT_EQ(error.detail, "from");
   c.picks.setback = {};
   c.picks.setbackCurve[0] = {99};
-  EXPECT_EQ(failure(c).code, ErrorCode::EdgeOutOfRange);
+  EXPECT_EQ(errorOf(c).code, ErrorCode::EdgeOutOfRange);
 }
 
 }  // namespace

@@ -106,6 +106,20 @@ TEST(Setback, TakesWishesOfTheEdgesPicked) {
   EXPECT_EQ(wrong.error().code, ErrorCode::EdgeNotInLoop);
 }
 
+TEST(Setback, IsTurnedAsTheSidesAreAligned) {
+  BlendPicks picks = cansPicks({2.0, 2.0});
+  const ShapeFill straight = blended(cans(), picks);
+  picks.alignment = 0.2;
+  EXPECT_GT(
+      (blended(cans(), picks).fill.patches.front().poles - straight.fill.patches.front().poles)
+          .rowwise()
+          .norm()
+          .maxCoeff(),
+      1.0);
+  picks.alignment = 0.7;
+  EXPECT_EQ(refusal(cans(), picks), ErrorCode::AlignmentOutOfRange);
+}
+
 /// A floor that widens away from its edge x = 0, where it runs from y = 0 to y = 20, and a wall.
 TopoDS_Shape planes(double widening) {
   const Handle(Geom_Surface) floor =

@@ -2,6 +2,7 @@
 #include "occt/shapes.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -20,6 +21,7 @@
 
 #include "occt/edge_curve.h"
 #include "occt/find_holes.h"
+#include "occt/from_occt.h"
 
 namespace fairing::testing {
 
@@ -79,6 +81,13 @@ TopoDS_Shape sheetWithHole(Joint joint) {
     return std::vector{a, a + 0.3 * (b - a), a + 0.7 * (b - a), b};
   };
   return grid(surface, parts(u0, u1), parts(v0, v1), {{1, 1}}, joint);
+}
+
+TopoDS_Shape polygon(const std::vector<Eigen::Vector3d>& corners) {
+  BRepBuilderAPI_MakePolygon wire;
+  for (const Eigen::Vector3d& corner : corners) wire.Add(occt::toPoint(corner));
+  wire.Close();
+  return BRepBuilderAPI_MakeFace(wire.Wire()).Face();
 }
 
 TopoDS_Shape box(double dx, double dy, double dz) {

@@ -33,6 +33,8 @@ enum class Joint { Sewn, Loose };
 /// 3 x 3 faces of the waved sheet without the middle one: a hole of four polynomial sides.
 [[nodiscard]] TopoDS_Shape sheetWithHole(Joint joint = Joint::Sewn);
 
+/// A flat face.
+[[nodiscard]] TopoDS_Shape polygon(const std::vector<Eigen::Vector3d>& corners);
 [[nodiscard]] TopoDS_Shape box(double dx, double dy, double dz);
 /// The shape's faces in a compound, each one on its own, every second one reversed.
 [[nodiscard]] TopoDS_Shape everySecondReversed(const TopoDS_Shape& shape);

@@ -76,9 +76,10 @@ class BlendSides:
                  curves: Curves = NO_CURVES, ends: Iterable[Link] = (), cuts: Iterable[Link] = ()):
         self.from_side, self.to_side, self.pairs, self.curves = from_side, to_side, tuple(pairs), curves
         self.ends, self.cuts = links_of(ends), links_of(cuts)
+        self._cut_edges = edges_of(self.cuts)
         self._curve_edges = [edges_of(curve) for curve in curves]
         objects = from_side.objects + to_side.objects + [obj for obj, _ in self.ends]
-        self.joined = JoinedShapes(objects, container, sum(self._curve_edges, edges_of(self.cuts)))
+        self.joined = JoinedShapes(objects, container, sum(self._curve_edges, self._cut_edges))
 
     def request(self, **choices) -> BlendRequest:
         """What is asked of the whole shape. Raises ValueError where an object has no edge of that number."""
@@ -88,7 +89,7 @@ class BlendSides:
         curves = dict(zip(("from_curve", "to_curve"), map(self._numbers, self._curve_edges)))
         ends, faces = self.end_numbers()
         return BlendRequest.of(self._numbers(self.from_side.edges), self._numbers(self.to_side.edges), wishes, pairs,
-                               **{**curves, "ends": ends, "end_faces": faces, "cuts": self._numbers(edges_of(self.cuts)),
+                               **{**curves, "ends": ends, "end_faces": faces, "cuts": self._numbers(self._cut_edges),
                                   **choices})
 
     def end_numbers(self) -> tuple[list[int], list[int]]:
@@ -132,12 +133,12 @@ def edges_of(curve: Iterable[Link]) -> list[Place]:
     for obj, names in curve:
         numbers = subelements.only_edges(names) if names else range(1, len(Part.getShape(obj).Edges) + 1)
         if not numbers:
-            raise ValueError(f"{obj.Label} has no edge to set the blend back to.")
+            raise ValueError(f"{obj.Label} has no edge.")
         places += [(obj, number) for number in numbers]
     return places
 
 
 def side_links(given) -> list[Link]:
-    """A link an object out of what callers may give for a side: a link, a list of links, or None."""
+    """A link an object out of what callers may give for edges: a link, a list of links, or None."""
     is_list = isinstance(given, (tuple, list)) and all(isinstance(item, (tuple, list)) for item in given)
     return links_of(given if is_list else [given] if given else ())

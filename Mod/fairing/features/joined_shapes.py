@@ -29,9 +29,7 @@ class JoinedShapes:
         parts = [self._shapes[obj] for obj in self.objects] + [self._single(*place) for place in single]
         self.is_joined = len(parts) > 1
         self.shape = Part.Compound(parts) if self.is_joined else parts[0]
-        found = self._find_places("Edges") if self.is_joined else {}
-        self._places = {number: places[0] for number, places in found.items()}
-        self._numbers = {place: number for number, places in found.items() for place in places}
+        self._known: dict[str, tuple[dict, dict]] = {}
 
     def own_shape(self, obj: App.DocumentObject) -> Part.Shape:
         """That of one object, in the container's coordinates."""
@@ -39,27 +37,19 @@ class JoinedShapes:
 
     def number(self, obj: App.DocumentObject, edge: int) -> int:
         """An edge of one object as a number of the whole shape. Raises ValueError where the object lacks it."""
-        if not self.is_joined:
-            return edge  # the native module checks it
-        if (obj, edge) not in self._numbers:
-            raise self._no_edge(obj, edge)
-        return self._numbers[obj, edge]
+        return self._number("Edges", "edge", (obj, edge))
 
     def vertex_number(self, obj: App.DocumentObject, vertex: int) -> int:
         """The same for a vertex."""
-        if not self.is_joined:
-            return vertex
-        return self._number_of("Vertexes", "vertex", (obj, vertex))
+        return self._number("Vertexes", "vertex", (obj, vertex))
 
     def face_number(self, obj: App.DocumentObject, face: int) -> int:
         """The same for a face."""
-        if not self.is_joined:
-            return face
-        return self._number_of("Faces", "face", (obj, face))
+        return self._number("Faces", "face", (obj, face))
 
     def place(self, number: int) -> Place:
         """The object that an edge of the whole shape belongs to, and the edge's number there."""
-        return self._places[number] if self.is_joined else (self.objects[0], number)
+        return self._place("Edges", number)
 
     def name(self, number: int) -> str:
         """The name of an edge of the whole shape, with its object's in front where there are several."""
@@ -68,7 +58,7 @@ class JoinedShapes:
 
     def face_name(self, number: int) -> str:
         """The same for a face."""
-        obj, face = self._find_places("Faces")[number][0] if self.is_joined else (self.objects[0], number)
+        obj, face = self._place("Faces", number)
         return f"{obj.Name}.Face{face}" if len(self.objects) > 1 else f"Face{face}"
 
     def faces_beside(self, number: int) -> list[int]:
@@ -81,24 +71,34 @@ class JoinedShapes:
     def _single(self, obj: App.DocumentObject, edge: int) -> Part.Shape:
         edges = self._shapes[obj].Edges
         if not 1 <= edge <= len(edges):
-            raise self._no_edge(obj, edge)
+            raise self._none("Edges", "edge", (obj, edge))
         return edges[edge - 1]
 
-    def _no_edge(self, obj: App.DocumentObject, edge: int) -> ValueError:
-        return ValueError(f"There is no edge {edge}: {obj.Label} has {len(self._shapes[obj].Edges)}.")
-
-    def _number_of(self, kind: str, word: str, place: Place) -> int:
-        for number, places in self._find_places(kind).items():
-            if place in places:
-                return number
+    def _none(self, kind: str, word: str, place: Place) -> ValueError:
         obj, own = place
-        raise ValueError(f"There is no {word} {own}: {obj.Label} has {len(getattr(self._shapes[obj], kind))}.")
+        return ValueError(f"There is no {word} {own}: {obj.Label} has {len(getattr(self._shapes[obj], kind))}.")
 
-    def _find_places(self, kind: str) -> dict[int, list[Place]]:
-        """Whose the whole shape's "Edges", "Vertexes" or "Faces" are: of several objects where these share them."""
-        own: dict[int, list] = {}
-        for obj, shape in self._shapes.items():
-            for number, there in enumerate(getattr(shape, kind), 1):
-                own.setdefault(there.hashCode(), []).append((there, (obj, number)))
-        return {number: [place for there, place in own[part.hashCode()] if there.isSame(part)]
-                for number, part in enumerate(getattr(self.shape, kind), 1)}
+    def _number(self, kind: str, word: str, place: Place) -> int:
+        if not self.is_joined:
+            return place[1]  # the native module checks it
+        numbers = self._find(kind)[1]
+        if place not in numbers:
+            raise self._none(kind, word, place)
+        return numbers[place]
+
+    def _place(self, kind: str, number: int) -> Place:
+        return self._find(kind)[0][number] if self.is_joined else (self.objects[0], number)
+
+    def _find(self, kind: str) -> tuple[dict[int, Place], dict[Place, int]]:
+        """Whose the whole shape's "Edges", "Vertexes" or "Faces" are, by their numbers, and the numbers by that; where
+        objects share one the first of them has it. Looked up once a kind."""
+        if kind not in self._known:
+            own: dict[int, list] = {}
+            for obj, shape in self._shapes.items():
+                for number, there in enumerate(getattr(shape, kind), 1):
+                    own.setdefault(there.hashCode(), []).append((there, (obj, number)))
+            found = {number: [place for there, place in own[part.hashCode()] if there.isSame(part)]
+                     for number, part in enumerate(getattr(self.shape, kind), 1)}
+            self._known[kind] = ({number: places[0] for number, places in found.items()},
+                                 {place: number for number, places in found.items() for place in places})
+        return self._known[kind]

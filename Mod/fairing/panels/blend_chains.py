@@ -51,7 +51,8 @@ class BlendChains:
             chains = self._native.chains(own) if own else []
             chains.sort(key=lambda chain: min(map(own.index, chain)))
             self.is_junction = self.is_junction or len(chains) > 1
-            found = [self._native.whole_chain(chain, others + own, *self.sides.end_numbers()) for chain in chains]
+            ends = self.sides.end_numbers() if chains else ()
+            found = [self._native.whole_chain(chain, others + own, *ends) for chain in chains]
         except ValueError as error:
             self.problem = self.problem or str(error)
             return own

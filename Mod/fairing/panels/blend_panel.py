@@ -75,13 +75,7 @@ class BlendPanel(EdgePanel):
         return self._pairs.is_picking or self._curves.is_picking
 
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
-        if self._pairs.is_picking:
-            self._pairs.picked(obj, name)
-            return
-        if self._curves.is_picking:
-            self._curves.picked(obj, name)
-            return
-        for part in (self._ends, self._ring):
+        for part in (self._pairs, self._curves, self._ends, self._ring):
             if part.is_picking:
                 part.picked(obj, name)
                 return

@@ -148,7 +148,6 @@ class BlendSession:
             self._chains = BlendChains(
                 BlendSides(present[0], present[-1], self.container, pairs, tuple(self.curves), ends, cuts))
             self.loops = self._chains.rows(self.sides, self.request.continuity)
-            self._chains.sides.ends, self._chains.sides.cuts = self.asked_ends, self.asked_cuts
         except ValueError as error:
             self.problem = str(error)
             return
@@ -156,7 +155,8 @@ class BlendSession:
 
     def job(self):
         """What a background thread computes: the native Blend and its mesh. Touches plain data only."""
-        idle = {} if self.is_strip else {"from_curve": (), "to_curve": ()}
+        idle = {} if self.is_strip else dict.fromkeys(("from_curve", "to_curve", "ends", "end_faces"), ())
+        idle.update({} if self.is_junction else {"cuts": ()})
         request, brep = self._chains.sides.request(**self.choices(), **idle), self._chains.brep
 
         def solve(progress):

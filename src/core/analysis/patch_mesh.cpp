@@ -70,10 +70,10 @@ TriangleMesh meshOf(const std::vector<spline::BsplineSurface>& patches, int cell
   if (patches.empty()) return {};
   const int each = cells / static_cast<int>(patches.size());
   // Where patches meet u may run along one of them and v along the other.
-  const double ratio =
-      patches.size() == 1 ? widthOf(patches.front().u) / widthOf(patches.front().v) : 1.0;
+  const bool isOne = patches.size() == 1;
+  const double ratio = isOne ? widthOf(patches.front().u) / widthOf(patches.front().v) : 1.0;
   const int nu = static_cast<int>(std::clamp(std::sqrt(each * ratio), kFewest, kMost));
-  const int nv = patches.size() == 1 ? std::max(static_cast<int>(kFewest), each / nu) : nu;
+  const int nv = isOne ? std::max(static_cast<int>(kFewest), each / nu) : nu;
   Mesher mesher;
   for (const spline::BsplineSurface& patch : patches) mesher.add(patch, nu, nv);
   return std::move(mesher).finish();

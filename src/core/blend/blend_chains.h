@@ -18,10 +18,10 @@ struct Blend {
 };
 
 /// Joins two chains of sides by one strip that leaves each of them as its sides ask and minimises
-/// the chosen energy; ends of open chains are left free, closed chains give a strip that closes
-/// upon itself with its curvature. Refined, measured and returned as fillHole() does. Fails with
-/// the codes of validate() and checkDepartures(), SystemSingular, NotFinite or Cancelled.
-/// docs/algorithms/strip_blend.md
+/// the chosen energy; ends of open chains that follow nothing are free, closed chains give a strip
+/// that closes upon itself with its curvature. Refined, measured and returned as fillHole() does.
+/// Fails with the codes of validate() and checkDepartures(), SystemSingular, NotFinite or
+/// Cancelled. docs/algorithms/strip_blend.md
 [[nodiscard]] Result<Blend> blendChains(const boundary::ChainPair& pair,
                                         const BlendOptions& options,
                                         Progress* progress = nullptr);

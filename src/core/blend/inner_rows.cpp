@@ -40,19 +40,13 @@ struct Row {
   }
 };
 
-// Whether a chain starts, and ends, where the strip follows something.
-std::array<bool, 2> followsEnds(const layout::LayoutPatch& patch, std::size_t chain) {
-  const bool west = patch.edges[static_cast<std::size_t>(PatchEdge::West)].has_value();
-  const bool east = patch.edges[static_cast<std::size_t>(PatchEdge::East)].has_value();
+// Whether a chain starts, and ends, where patches from one to another follow something.
+std::array<bool, 2> followsEnds(const layout::LayoutPatch& first,
+                                const layout::LayoutPatch& last,
+                                std::size_t chain) {
+  const bool west = first.edges[static_cast<std::size_t>(PatchEdge::West)].has_value();
+  const bool east = last.edges[static_cast<std::size_t>(PatchEdge::East)].has_value();
   return chain == 0 ? std::array{west, east} : std::array{east, west};
-}
-
-std::array<bool, 2> followsEnds(const layout::PatchLayout& layout, std::size_t chain) {
-  std::array<bool, 2> follows{false, false};
-  for (const layout::LayoutPatch& patch : layout.patches)
-    for (const std::size_t end : {0, 1})
-      follows[end] = follows[end] || followsEnds(patch, chain)[end];
-  return follows;
 }
 
 std::vector<Row> rowsOf(const StripRows& strip) {
@@ -72,7 +66,7 @@ std::vector<Row> rowsOf(const StripRows& strip) {
               knots,
               {}};
       for (int i = 0; i < knots.poleCount(); ++i) row.t.push_back(knots.greville(i));
-      row.follows = followsEnds(patch, chain);
+      row.follows = followsEnds(patch, patch, chain);
       row.from = length[chain];
       row.to = length[chain] += row.side->length;
       rows.push_back(std::move(row));
@@ -179,7 +173,8 @@ HeldPoints scaledRows(const StripRows& strip, const Reach& reach) {
   solver::Points points = pointsOf(strip.layout, strip.patches);
   for (const Row& row : rowsOf(strip)) {
     Differences cross = crossOf(row, points);
-    const std::array<bool, 2> follows = followsEnds(strip.layout, row.chain);
+    const auto& patches = strip.layout.patches;
+    const std::array<bool, 2> follows = followsEnds(patches.front(), patches.back(), row.chain);
     if (reach.varies(row.chain) || follows[0] || follows[1])
       cross = scaledAtGreville(row, cross, reach, follows);
     else

@@ -9,12 +9,6 @@
 #include "core/span/refine.h"
 
 namespace fairing {
-namespace {
-
-constexpr double kAim = 0.6;  // of the limits, as in span_plan.cpp
-
-}  // namespace
-
 Result<NaturalRing> NaturalRing::make(const boundary::ChainRing& ring,
                                       const BlendOptions& options,
                                       Progress* progress) {
@@ -68,7 +62,7 @@ Result<FillResult> NaturalRing::reaching(const Reach& reach) const {
     auto result = spanAgain(span_, natural, drawnRows(layout, natural, reach), options_);
     if (!result || result->report.withinTolerance || round == options_.maxRefinements)
       return result;
-    const auto wishes = wishedKnots(span_.plan, layout, result->report, kAim);
+    const auto wishes = wishedKnots(span_.plan, layout, result->report, kRefineAim);
     const auto finer = layout::refineLayout(span_.plan, layout, wishes);
     if (nothingWished(wishes) || finer.pointCount > options_.maxPoles) return result;
     natural = makePatches(finer, pointsOn(finer, natural));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/blend/natural_strip.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,10 +30,7 @@ std::vector<double> knotsToFade(const spline::KnotVector& knots) {
 // Reach fades towards an end that follows something, and that gives way along itself: both need
 // the knots for it.
 Patches fineEnough(const layout::LayoutPlan& plan, const Patches& patches) {
-  const auto isEnd = [](const layout::Quad& quad) {
-    return quad.sides[1] >= 0 || quad.sides[3] >= 0;
-  };
-  if (std::none_of(plan.mesh.quads.begin(), plan.mesh.quads.end(), isEnd)) return patches;
+  if (!layout::followsAtEnds(plan.mesh)) return patches;
   std::vector<layout::KnotWish> wishes;
   for (const spline::BsplineSurface& patch : patches)
     wishes.push_back({knotsToFade(patch.u), knotsToFade(patch.v)});

@@ -15,9 +15,6 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr int kSizeSamples = 32;
-// Ends of neighbouring edges farther apart than this share of the diagonal are an open loop; CAD
-// vertices of real files are up to 1e-4 wide.
-constexpr double kLargestCornerGap = 5e-4;
 // A side shorter than this share of the diagonal is a point for every practical purpose.
 constexpr double kShortestSide = 1e-7;
 
@@ -90,8 +87,8 @@ Result<BoundaryLoop> makeChains(std::vector<BoundarySide> sides,
 
 }  // namespace
 
-std::vector<std::pair<std::size_t, std::size_t>> BoundaryLoop::chains() const {
-  std::vector<std::pair<std::size_t, std::size_t>> result;
+std::vector<SideRange> BoundaryLoop::chains() const {
+  std::vector<SideRange> result;
   std::size_t first = 0;
   for (const std::size_t start : further) {
     result.emplace_back(first, start);
@@ -99,6 +96,13 @@ std::vector<std::pair<std::size_t, std::size_t>> BoundaryLoop::chains() const {
   }
   result.emplace_back(first, sides.size());
   return result;
+}
+
+std::set<int> BoundaryLoop::facesBeside(const SideRange& range) const {
+  std::set<int> faces;
+  for (std::size_t k = range.first; k < range.second; ++k)
+    if (sides[k].face > 0) faces.insert(sides[k].face);
+  return faces;
 }
 
 std::size_t BoundaryLoop::next(std::size_t side) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,13 @@ struct BoundarySide {
   }
 };
 
+/// Ends of neighbouring edges farther apart than this share of the diagonal are an open loop; CAD
+/// vertices of real files are up to 1e-4 wide.
+inline constexpr double kLargestCornerGap = 5e-4;
+
+/// A patch whose corner is wider than this (degrees) is nearly degenerate there.
+inline constexpr double kWidestCorner = 160.0;
+
 /// Where side i ends and side i+1 begins.
 struct Corner {
   /// The two do not meet: the ends of an open chain that a strip joins to another one, or of one
@@ -70,6 +78,9 @@ struct Corner {
   [[nodiscard]] bool normalsAgree(double degrees) const { return normalMismatch <= degrees; }
 };
 
+/// Positions of sides from a first one up to the one before another.
+using SideRange = std::pair<std::size_t, std::size_t>;
+
 /// A closed chain of sides, head to tail: the end of side i is the start of side i+1, the last
 /// one's end that of side 0; or several of them; or open chains one after the other (side_chain.h,
 /// ring_of_chains.h). Seen against the support normals the hole lies to the left.
@@ -87,7 +98,9 @@ struct BoundaryLoop {
   /// Whether its chains are open; all of them are, or none.
   [[nodiscard]] bool isOpen() const { return corners.back().apart; }
   /// The chains: the position of the first side, and the one behind the last.
-  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> chains() const;
+  [[nodiscard]] std::vector<SideRange> chains() const;
+  /// FreeCAD's FaceN of the faces beside some of its sides.
+  [[nodiscard]] std::set<int> facesBeside(const SideRange& range) const;
 };
 
 /// Completes a loop whose sides are given: corners classified, lengths and diagonal measured from

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/assert.h"
+#include "core/base/bisect.h"
 #include "core/boundary/edge_chain.h"
 
 namespace fairing::boundary {
@@ -20,13 +21,11 @@ constexpr int kHalvings = 60;
 // Where the distance to a point is least on the stretch about one sample, by the sign of its
 // derivative.
 double refined(const Ribbon& ribbon, const Eigen::Vector3d& point, double t) {
-  double low = std::max(0.0, t - 1.0 / kSamples), high = std::min(1.0, t + 1.0 / kSamples);
-  for (int k = 0; k < kHalvings; ++k) {
-    const double middle = 0.5 * (low + high);
-    const CurveSample at = ribbon.curve(middle);
-    (at.derivative.dot(point - at.point) > 0.0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  const double low = std::max(0.0, t - 1.0 / kSamples), high = std::min(1.0, t + 1.0 / kSamples);
+  return bisect(low, high, kHalvings, [&](double place) {
+    const CurveSample at = ribbon.curve(place);
+    return at.derivative.dot(point - at.point) > 0.0;
+  });
 }
 
 }  // namespace

@@ -50,17 +50,18 @@ Order shortest(const std::vector<Ends>& ends) {
   return best;
 }
 
-// Begins with a chain that does not touch the one before it.
-std::optional<Error> beginAtGap(std::vector<SideChain>& chains, double diagonal) {
-  const auto touches = [&](const SideChain& before, const SideChain& after) {
-    const Corner corner = cornerBetween(before.sides.back(), after.sides.front());
-    return !checkMeeting(before.sides.back(), corner, diagonal);
-  };
-  for (std::size_t k = 0; k < chains.size(); ++k) {
-    if (!touches(chains.back(), chains.front())) return std::nullopt;
-    std::rotate(chains.begin(), chains.begin() + 1, chains.end());
+bool touches(const SideChain& before, const SideChain& after, double diagonal) {
+  const Corner corner = cornerBetween(before.sides.back(), after.sides.front());
+  return !checkMeeting(before.sides.back(), corner, diagonal);
+}
+
+// Lets the chains that the first one touches go before it, so that a gap is before all of them.
+std::optional<Error> beginAtGap(std::vector<SideChain>& ring, double diagonal) {
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (!touches(ring.back(), ring.front(), diagonal)) return std::nullopt;
+    std::rotate(ring.begin(), ring.end() - 1, ring.end());
   }
-  return Error{.code = ErrorCode::RingWithoutGap, .edge = chains.front().sides.front().edge};
+  return Error{.code = ErrorCode::RingWithoutGap, .edge = ring.front().sides.front().edge};
 }
 
 }  // namespace
@@ -89,11 +90,8 @@ Result<BoundaryLoop> ringOfChains(const std::vector<SideChain>& chains) {
   std::vector<BoundarySide> sides;
   std::vector<std::size_t> further;
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const BoundarySide& first = ring[k].sides.front();
-    const bool touches =
-        k > 0 &&
-        !checkMeeting(sides.back(), cornerBetween(sides.back(), first), measured->diagonal);
-    if (k > 0 && !touches) further.push_back(sides.size());
+    if (k > 0 && !touches(ring[k - 1], ring[k], measured->diagonal))
+      further.push_back(sides.size());
     sides.insert(sides.end(), ring[k].sides.begin(), ring[k].sides.end());
   }
   return makeOpenChains(std::move(sides), std::move(further));

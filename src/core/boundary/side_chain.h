@@ -40,6 +40,10 @@ struct ChainPair {
   /// The position of the second chain's first side, and the one behind its last.
   [[nodiscard]] std::size_t secondStart() const { return firstCount + endCounts[0]; }
   [[nodiscard]] std::size_t secondEnd() const { return sides.sides.size() - endCounts[1]; }
+  /// The sides of a chain, 0 or 1.
+  [[nodiscard]] SideRange chain(std::size_t which) const {
+    return which == 0 ? SideRange{0, firstCount} : SideRange{secondStart(), secondEnd()};
+  }
   /// Whether the end of a chain, 0 or 1, is joined to the start of the other one by sides.
   [[nodiscard]] bool isJoined(std::size_t chain) const { return endCounts[chain] > 0; }
   /// Whether a side belongs to neither chain.

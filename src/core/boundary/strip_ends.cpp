@@ -16,9 +16,6 @@ std::optional<Error> endTurns(const BoundarySide& before, const Corner& corner) 
   return Error{ErrorCode::EndTurns, before.edge, 0, corner.point, turn};
 }
 
-// A patch whose corner is wider than this (degrees) is nearly degenerate there.
-constexpr double kWidestCorner = 160.0;
-
 std::optional<Error> endAlongSide(const BoundarySide& side, const Corner& corner) {
   if (corner.angle <= kWidestCorner) return std::nullopt;
   return Error{ErrorCode::EndAlongSide, side.edge, 0, corner.point, corner.angle};

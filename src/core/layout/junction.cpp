@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/bisect.h"
 #include "core/boundary/ring_of_loops.h"
 #include "core/layout/loop_corners.h"
 #include "core/layout/ring_star.h"
@@ -18,8 +19,6 @@ using boundary::LoopPlace;
 using boundary::RingCut;
 using Eigen::Vector3d;
 
-// Sides with more control points are not taken over: they would multiply those of several patches.
-constexpr int kMostPoles = 12;
 constexpr int kSamples = 64;
 constexpr int kHalvings = 48;
 // What every half of a chain has of its length at least.
@@ -50,12 +49,9 @@ double farthest(const BoundaryLoop& loop, const LoopLength& lengths, const Vecto
       best = k;
     }
   }
-  double low = (best - 1) * step, high = (best + 1) * step;
-  for (int k = 0; k < kHalvings; ++k) {
-    const double middle = 0.5 * (low + high);
-    (direction.dot(at(middle).derivative) > 0.0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return bisect((best - 1) * step, (best + 1) * step, kHalvings, [&](double length) {
+    return direction.dot(at(length).derivative) > 0.0;
+  });
 }
 
 // Where the cuts leave a chain: to the previous one and to the next one, by length.
@@ -183,7 +179,7 @@ class Mesher {
 Result<LayoutPlan> junctionPlan(const ChainRing& ring) {
   const auto cuts = cutsOf(ring);
   if (!cuts) return fail(cuts.error());
-  auto cut = boundary::cutLoop(ring.sides, *cuts, kMostPoles);
+  auto cut = boundary::cutLoop(ring.sides, *cuts, kMostPolesOfSeveral);
   if (!cut) return fail(cut.error());
   QuadMesh mesh = Mesher(cut->loop).make();
   return LayoutPlan{LayoutKind::Junction, std::move(*cut), std::move(mesh)};

@@ -8,6 +8,10 @@
 
 namespace fairing::layout {
 
+/// Sides with more control points are not taken over: those of a patch are the product of two, and
+/// where several patches share them, they would multiply those of all.
+inline constexpr int kMostPolesOfOne = 48, kMostPolesOfSeveral = 12;
+
 /// Points on either side of a blend that belong together.
 using MatchedPoints = std::array<Eigen::Vector3d, 2>;
 

@@ -10,6 +10,7 @@
 #include "core/layout/quad.h"
 #include "core/layout/side_curves.h"
 #include "core/layout/star.h"
+#include "core/layout/strip.h"
 
 namespace fairing::layout {
 namespace {
@@ -49,10 +50,8 @@ std::vector<std::vector<DirectedSide>> sidesAlongStrips(const LayoutPlan& plan,
 // of a strip follow.
 bool takesOver(const LayoutPlan& plan, const Strips& strips, std::size_t strip) {
   if (plan.kind == LayoutKind::Quad) return true;
-  const auto isEnd = [](const Quad& quad) { return quad.sides[1] >= 0 || quad.sides[3] >= 0; };
   return plan.kind == LayoutKind::Strip &&
-         strip == static_cast<std::size_t>(strips.uses[0][1].strip) &&
-         std::any_of(plan.mesh.quads.begin(), plan.mesh.quads.end(), isEnd);
+         strip == static_cast<std::size_t>(strips.uses[0][1].strip) && followsAtEnds(plan.mesh);
 }
 
 bool isRound(const LayoutPlan& plan, std::size_t direction) {

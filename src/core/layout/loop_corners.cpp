@@ -9,14 +9,12 @@ namespace {
 // Edges whose tangents differ by less (degrees) are one side: a spline through both rounds such a
 // kink off by less than CAD tolerances.
 constexpr double kSmooth = 0.05;
-// A patch whose corner is wider than this (degrees) is nearly degenerate there.
-constexpr double kWidestCorner = 160.0;
 // Places closer to an end of a side than this, in its parameter, are the end.
 constexpr double kAtEnd = 1e-9;
 
 CornerRole roleOf(const boundary::Corner& corner) {
   if (corner.angle >= 180.0 - kSmooth) return CornerRole::Smooth;
-  return corner.insideAngle <= kWidestCorner ? CornerRole::Corner : CornerRole::Split;
+  return corner.insideAngle <= boundary::kWidestCorner ? CornerRole::Corner : CornerRole::Split;
 }
 
 }  // namespace
@@ -47,6 +45,13 @@ boundary::LoopPlace LoopLength::placeAt(double length) const {
   if (t < kAtEnd) return {first_ + side, 0.0};
   if (t > 1.0 - kAtEnd) return {first_ + (side + 1) % arcs_.size(), 0.0};
   return {first_ + side, t};
+}
+
+std::optional<boundary::LoopPlace> spokeEnd(const LoopLength& lengths,
+                                            const std::vector<std::size_t>& splits,
+                                            double middle) {
+  if (splits.size() > 1) return std::nullopt;
+  return splits.empty() ? lengths.placeAt(middle) : boundary::LoopPlace{splits.front(), 0.0};
 }
 
 }  // namespace fairing::layout

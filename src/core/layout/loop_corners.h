@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "core/boundary/arc_length.h"
@@ -38,5 +39,11 @@ class LoopLength {
   std::vector<boundary::ArcLength> arcs_;
   std::vector<double> starts_;
 };
+
+/// Where a spoke ends between two corners: at the one side between them that starts at a split, or
+/// `middle` mm along. None where there are several splits.
+[[nodiscard]] std::optional<boundary::LoopPlace> spokeEnd(const LoopLength& lengths,
+                                                          const std::vector<std::size_t>& splits,
+                                                          double middle);
 
 }  // namespace fairing::layout

@@ -14,9 +14,6 @@
 namespace fairing::layout {
 namespace {
 
-// Sides with more control points are not taken over: they would multiply those of several patches.
-constexpr int kMostPoles = 12;
-
 using boundary::BoundaryLoop;
 
 // The inner patch is this large beside the loop.
@@ -130,7 +127,7 @@ Result<LayoutPlan> oGridPlan(const BoundaryLoop& loop, const std::vector<CornerR
   std::vector<boundary::LoopPlace> cuts;
   for (const double length : spokeEnds(places, lengths.whole()))
     cuts.push_back(lengths.placeAt(length));
-  auto cut = boundary::cutLoop(loop, cuts, kMostPoles);
+  auto cut = boundary::cutLoop(loop, cuts, kMostPolesOfSeveral);
   if (!cut) return fail(cut.error());
   QuadMesh mesh = oGridMesh(pictureOf(cut->loop));
   return LayoutPlan{LayoutKind::OGrid, std::move(*cut), std::move(mesh)};

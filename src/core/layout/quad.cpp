@@ -4,13 +4,6 @@
 #include <cmath>
 
 namespace fairing::layout {
-namespace {
-
-// Sides with more control points are not taken over: those of a patch are the product of two.
-constexpr int kMostPoles = 48;
-
-}  // namespace
-
 Result<LayoutPlan> quadPlan(const boundary::BoundaryLoop& loop,
                             const std::vector<CornerRole>& roles) {
   std::vector<boundary::LoopPlace> cuts;
@@ -19,7 +12,7 @@ Result<LayoutPlan> quadPlan(const boundary::BoundaryLoop& loop,
     if (roles[(k + n - 1) % n] != CornerRole::Smooth) cuts.push_back({k, 0.0});
   if (cuts.size() != 4)
     return fail({ErrorCode::WrongSideCount, 0, 0, std::nullopt, static_cast<double>(cuts.size())});
-  auto cut = boundary::cutLoop(loop, cuts, kMostPoles);
+  auto cut = boundary::cutLoop(loop, cuts, kMostPolesOfOne);
   if (!cut) return fail(cut.error());
   LayoutPlan plan{LayoutKind::Quad, std::move(*cut), {}};
   plan.mesh.quads = {{{0, 1, 2, 3}, {0, 1, 2, 3}}};

@@ -6,9 +6,6 @@
 namespace fairing::layout {
 namespace {
 
-// Sides with more control points are not taken over: they would multiply those of several patches.
-constexpr int kMostPoles = 12;
-
 using boundary::LoopPlace;
 
 // Places of the roles asked for, as positions of the sides that start there.
@@ -20,18 +17,16 @@ std::vector<std::size_t> startsOf(const std::vector<CornerRole>& roles, CornerRo
 }
 
 // Where the spoke between two corners (starts of sides) ends.
-Result<LoopPlace> spokeEnd(const LoopLength& lengths,
-                           const std::vector<CornerRole>& roles,
-                           std::size_t from,
-                           std::size_t to) {
+std::optional<LoopPlace> spokeBetween(const LoopLength& lengths,
+                                      const std::vector<CornerRole>& roles,
+                                      std::size_t from,
+                                      std::size_t to) {
   const std::size_t n = roles.size();
   std::vector<std::size_t> splits;
   for (std::size_t k = (from + 1) % n; k != to; k = (k + 1) % n)
     if (roles[(k + n - 1) % n] == CornerRole::Split) splits.push_back(k);
   const double length = lengths.upTo(to) - lengths.upTo(from) + (to > from ? 0.0 : lengths.whole());
-  if (splits.size() > 1) return fail({.code = ErrorCode::LayoutUnfit, .detail = "star"});
-  if (splits.size() == 1) return LoopPlace{splits.front(), 0.0};
-  return lengths.placeAt(lengths.upTo(from) + 0.5 * length);
+  return spokeEnd(lengths, splits, lengths.upTo(from) + 0.5 * length);
 }
 
 QuadMesh starMesh(const std::vector<Eigen::Vector2d>& picture) {
@@ -57,12 +52,12 @@ Result<LayoutPlan> starPlan(const boundary::BoundaryLoop& loop,
   const LoopLength lengths(loop);
   std::vector<LoopPlace> cuts;
   for (std::size_t k = 0; k < n; ++k) {
-    const auto end = spokeEnd(lengths, roles, corners[(k + n - 1) % n], corners[k]);
-    if (!end) return fail(end.error());
+    const auto end = spokeBetween(lengths, roles, corners[(k + n - 1) % n], corners[k]);
+    if (!end) return fail({.code = ErrorCode::LayoutUnfit, .detail = "star"});
     cuts.push_back(*end);
     cuts.push_back({corners[k], 0.0});
   }
-  auto cut = boundary::cutLoop(loop, cuts, kMostPoles);
+  auto cut = boundary::cutLoop(loop, cuts, kMostPolesOfSeveral);
   if (!cut) return fail(cut.error());
   QuadMesh mesh = starMesh(pictureOf(cut->loop));
   return LayoutPlan{LayoutKind::Star, std::move(*cut), std::move(mesh)};

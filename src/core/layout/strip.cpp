@@ -11,8 +11,6 @@ namespace {
 using boundary::BoundaryLoop;
 using Eigen::Vector3d;
 
-// Chains with more control points are not taken over.
-constexpr int kMostPoles = 48;
 constexpr int kSamples = 32;
 
 // Mean distance of the points that belong together, on the patch between two sides.
@@ -88,10 +86,14 @@ void drawRow(const BoundaryLoop& loop, bool closed, QuadMesh& mesh) {
 
 }  // namespace
 
+bool followsAtEnds(const QuadMesh& strip) {
+  return strip.quads.back().sides[1] >= 0 || strip.quads.front().sides[3] >= 0;
+}
+
 Result<LayoutPlan> stripPlan(const boundary::ChainPair& pair) {
   const auto cuts = boundary::matchChains(pair);
   if (!cuts) return fail(cuts.error());
-  auto cut = boundary::cutPair(pair, *cuts, kMostPoles);
+  auto cut = boundary::cutPair(pair, *cuts, kMostPolesOfOne);
   if (!cut) return fail(cut.error());
   const int n = static_cast<int>(pair.closed ? cuts->size() : cuts->size() - 1);
   const bool isWhole = pair.closed && n == 1;

@@ -12,4 +12,7 @@ namespace fairing::layout {
 /// and the same. Fails with the codes of matchChains() and cutPair().
 [[nodiscard]] Result<LayoutPlan> stripPlan(const boundary::ChainPair& pair);
 
+/// Whether an end of a strip follows sides.
+[[nodiscard]] bool followsAtEnds(const QuadMesh& strip);
+
 }  // namespace fairing::layout

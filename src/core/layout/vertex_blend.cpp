@@ -13,22 +13,15 @@ using boundary::BoundaryLoop;
 using boundary::LoopPlace;
 using Eigen::Vector3d;
 
-// Sides with more control points are not taken over: they would multiply those of several patches.
-constexpr int kMostPoles = 12;
-
-// Where the spoke ends on the stretch of a chain between two corners (starts of sides): at its one
-// split, or in the middle.
-Result<LoopPlace> spokeEnd(const LoopLength& lengths,
-                           const std::vector<CornerRole>& roles,
-                           std::size_t from,
-                           std::size_t to) {
-  std::optional<LoopPlace> split;
-  for (std::size_t k = from + 1; k < to; ++k) {
-    if (roles[k - 1] != CornerRole::Split) continue;
-    if (split) return fail({.code = ErrorCode::LayoutUnfit, .detail = "junction"});
-    split = LoopPlace{k, 0.0};
-  }
-  return split ? *split : lengths.placeAt(0.5 * (lengths.upTo(from) + lengths.upTo(to)));
+// Where the spoke ends on the stretch of a chain between two corners (starts of sides).
+std::optional<LoopPlace> spokeBetween(const LoopLength& lengths,
+                                      const std::vector<CornerRole>& roles,
+                                      std::size_t from,
+                                      std::size_t to) {
+  std::vector<std::size_t> splits;
+  for (std::size_t k = from + 1; k < to; ++k)
+    if (roles[k - 1] == CornerRole::Split) splits.push_back(k);
+  return spokeEnd(lengths, splits, 0.5 * (lengths.upTo(from) + lengths.upTo(to)));
 }
 
 // Of every chain: its start, a spoke's end, a corner, a spoke's end, ..., its end.
@@ -40,8 +33,8 @@ Result<std::vector<LoopPlace>> cutsOf(const BoundaryLoop& loop) {
     std::size_t from = first;
     for (std::size_t k = first + 1; k <= end; ++k) {
       if (k < end && roles[k - 1] != CornerRole::Corner) continue;
-      const auto spoke = spokeEnd(lengths, roles, from, k);
-      if (!spoke) return fail(spoke.error());
+      const auto spoke = spokeBetween(lengths, roles, from, k);
+      if (!spoke) return fail({.code = ErrorCode::LayoutUnfit, .detail = "junction"});
       cuts.push_back({from, 0.0});
       cuts.push_back(*spoke);
       from = k;
@@ -93,7 +86,7 @@ QuadMesh meshOf(const BoundaryLoop& loop) {
 Result<LayoutPlan> vertexBlendPlan(const BoundaryLoop& loop) {
   const auto cuts = cutsOf(loop);
   if (!cuts) return fail(cuts.error());
-  auto cut = boundary::cutLoop(loop, *cuts, kMostPoles);
+  auto cut = boundary::cutLoop(loop, *cuts, kMostPolesOfSeveral);
   if (!cut) return fail(cut.error());
   QuadMesh mesh = meshOf(cut->loop);
   return LayoutPlan{LayoutKind::Junction, std::move(*cut), std::move(mesh)};

@@ -21,6 +21,10 @@ namespace fairing {
 /// break belongs to both spans: rounding must not choose between them.
 [[nodiscard]] std::set<double> middlesAt(const spline::KnotVector& knots, double t);
 
+/// Refinement goes on until the deviations are below this share of the limits: they are sampled,
+/// the peaks lie between.
+inline constexpr double kRefineAim = 0.6;
+
 /// The knots that would help most: the middle of every span next to which a side is over `aim`
 /// times a limit of the report, but for what is the edge's own fault. Spans at corners whose twists
 /// disagree are halved again and again, which grades the knots towards them with ratio 1/2.

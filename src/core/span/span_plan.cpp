@@ -19,9 +19,6 @@ namespace {
 
 // Edges that are not polynomial are fitted this much closer than the gap allowed.
 constexpr double kFitShare = 0.3;
-// Refinement goes on until the deviations are below this share of the limits: they are sampled, the
-// peaks lie between.
-constexpr double kAim = 0.6;
 // Solves about the last one's solution that make the rows of G2 sides and inner constraints exact.
 constexpr int kNewtonSteps = 3;
 // What an edge that lies off its face may keep of its own angle: the rest of the limit is the
@@ -32,13 +29,9 @@ constexpr double kFollowAim = 0.65;
 // the edge.
 std::vector<double> startsOf(const layout::LayoutPlan& plan, const boundary::BoundaryLoop& loop) {
   std::vector<double> starts(loop.sides.size(), 0.0);
-  std::vector<char> known(loop.sides.size(), 0);
-  for (const auto& stretches : plan.cut.stretches) {
-    const boundary::Stretch& first = stretches.front();
-    if (loop.next(first.edge) != first.edge || known[first.edge]) continue;
-    starts[first.edge] = first.from;
-    known[first.edge] = 1;
-  }
+  for (auto side = plan.cut.stretches.rbegin(); side != plan.cut.stretches.rend(); ++side)
+    if (const boundary::Stretch& first = side->front(); loop.next(first.edge) == first.edge)
+      starts[first.edge] = first.from;
   return starts;
 }
 
@@ -122,8 +115,9 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
     auto tried = fillOn(span, layout, std::move(aim), options);
     if (!tried) return tried;
     tried->summary.solves = round + 1;
-    auto wishes = wishedKnots(span.plan, layout, tried->report, kAim);
-    wishForInner(layout, tried->patches, options.through, kAim * tried->report.gapLimit, wishes);
+    auto wishes = wishedKnots(span.plan, layout, tried->report, kRefineAim);
+    wishForInner(
+        layout, tried->patches, options.through, kRefineAim * tried->report.gapLimit, wishes);
     best = best ? better(std::move(*best), std::move(*tried)) : std::move(*tried);
     if (progress) progress->setFraction((round + 1.0) / (options.maxRefinements + 1.0));
     if (nothingWished(wishes)) break;
