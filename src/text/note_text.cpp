@@ -59,6 +59,16 @@ std::string sentence(const analysis::Note& note) {
       return fmt::format("The shapes that the blend joins overlap over {} about {}.",
                          length(note.value),
                          point(note.where));
+    case analysis::NoteCode::FaceConverted:
+      return fmt::format(
+          "Face {} is no polynomial B-spline: it was converted, {} off at most, and so is its "
+          "border.",
+          note.face,
+          length(note.value));
+    case analysis::NoteCode::ReferenceShort:
+      return fmt::format(
+          "The reference does not cover {} of the surface: the energy alone shapes it there.",
+          percent(note.value));
   }
   return {};
 }
