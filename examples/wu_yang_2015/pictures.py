@@ -4,6 +4,7 @@
     scripts/with_freecad_gui --output docs/images examples/wu_yang_2015/pictures.py
 """
 
+import math
 import os
 import sys
 
@@ -21,10 +22,10 @@ import figures  # noqa: E402
 import gui  # noqa: E402
 
 BLUE, GREY, RED = (0.42, 0.66, 0.86), (0.84, 0.86, 0.89), (0.85, 0.12, 0.12)
-WIDTH = 420  # pixels a part
+WIDTH, HEIGHT = 400, 300  # pixels a part
 NEEDLES = 8  # normals drawn along either direction
 LENGTH = 12.0  # of the longest, mm
-SPACE = 1.35  # from part to part, in sizes of the largest
+SPACE = 1.55  # from part to part, in sizes of one
 ISOLINES = 9
 
 
@@ -69,14 +70,13 @@ def show(document, shape, color, width, at):
 
 def picture(name: str, figure, columns: int, turn: float, tilt: float):
     document = App.newDocument(name)
-    size = max(max(part.BoundBox.XLength, part.BoundBox.YLength)
-               for _, part, _, _ in figure.shapes)
-    if any(beside for *_, beside in figure.shapes):
-        size *= 1.9
+    size = data.SIDE * (2.0 if any(beside for *_, beside in figure.shapes) else 1.0)
+    rows = -(-len(figure.shapes) // columns)
+    below = SPACE * size * HEIGHT / WIDTH / math.cos(math.radians(tilt))
     right = App.Rotation(App.Vector(0, 0, 1), turn).multVec(App.Vector(1, 0, 0))
     down = App.Rotation(App.Vector(0, 0, 1), turn).multVec(App.Vector(0, -1, 0))
     for k, (_, shape, field, beside) in enumerate(figure.shapes):
-        at = right * (SPACE * size * (k % columns)) + down * (1.5 * SPACE * size * (k // columns))
+        at = right * (SPACE * size * (k % columns)) + down * (below * (k // columns))
         show(document, shape, BLUE, 2.0, at)
         show(document, isolines(shape), BLUE, 1.0, at)
         for part in beside:
@@ -88,9 +88,10 @@ def picture(name: str, figure, columns: int, turn: float, tilt: float):
     view.setAnimationEnabled(False)
     view.setCameraType("Orthographic")
     view.setCameraOrientation(App.Rotation(App.Vector(0, 0, 1), turn).multiply(App.Rotation(App.Vector(1, 0, 0), tilt)))
-    rows = -(-len(figure.shapes) // columns)
     view.fitAll()
-    view.saveImage(os.path.join(os.environ["FAIRING_OUTPUT"], f"{name}.png"), WIDTH * columns, 340 * rows, "White")
+    view.getCameraNode().height.setValue(SPACE * size * HEIGHT / WIDTH * rows)
+    gui.pump(0.3)
+    view.saveImage(os.path.join(os.environ["FAIRING_OUTPUT"], f"{name}.png"), WIDTH * columns, HEIGHT * rows, "White")
     App.closeDocument(document.Name)
 
 
