@@ -10,18 +10,19 @@
     obj = fairing.make_blend((base, ["Edge1"]), (other, ["Edge3"]))       the same as a parametric document object
     obj = fairing.make_blend((pipe, ["Edge1"]), [(a, ["Edge3"]), (b, ["Edge3"])])     a side of several objects
     fairing.change_blend(obj, continuity="G2")                    with other choices
+    shape, report = fairing.edit(base.Shape, "Face3", guide=handles, lambda_=50)   shapes a face anew, its border kept
     fairing.holes(base.Shape)                                     the loops of free edges
 
 Lengths are in mm, angles in degrees. What cannot be done raises fairing.FairingError, whose text is one sentence.
 """
 
-from .api import blend, fill, fill_all, holes, report
+from .api import blend, edit, fill, fill_all, holes, report
 from .features.blend_feature import change_blend, make_blend
 from .features.fill_all_feature import change_fill_all, make_fill_all
 from .features.fill_feature import change_fill, make_fill
 from .native import NativeModuleError
 
-__all__ = ["FairingError", "NativeModuleError", "blend", "change_blend", "change_fill", "change_fill_all", "fill",
+__all__ = ["FairingError", "NativeModuleError", "blend", "change_blend", "change_fill", "change_fill_all", "edit", "fill",
            "fill_all", "holes", "make_blend", "make_fill", "make_fill_all", "report"]
 
 

@@ -6,6 +6,8 @@ from typing import Any, Collection, Mapping, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
+Guide = Union[Sequence[Mapping[str, Any]], Mapping[str, Any]]  # handles; or handles and a field
+
 __version__: str
 occt_version: str
 
@@ -50,6 +52,15 @@ class Blend(Fill):
     ) -> Blend: ...
     @property
     def arms(self) -> list[tuple[tuple[float, float, float], tuple[float, float, float]]]: ...
+
+class Edit:
+    def brep(self) -> bytes: ...
+    @property
+    def report(self) -> dict[str, Any]: ...
+    @property
+    def table(self) -> str: ...
+    @property
+    def verdict(self) -> str: ...
 
 class HoleFill:
     @property
@@ -99,7 +110,7 @@ class Shape:
         lambda_: float = 0.0,
         gamma: float = 0.0,
         reference: Optional[bytes] = None,
-        guide: Sequence[Mapping[str, Any]] = [],
+        guide: Guide = [],
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,
@@ -120,7 +131,7 @@ class Shape:
         lambda_: float = 0.0,
         gamma: float = 0.0,
         reference: Optional[bytes] = None,
-        guide: Sequence[Mapping[str, Any]] = [],
+        guide: Guide = [],
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,
@@ -169,6 +180,18 @@ class Shape:
         result: str = "patches",
         progress: Optional[Progress] = None,
     ) -> Blend: ...
+    def edit(
+        self,
+        face: int,
+        energy: str = "thin-plate",
+        lambda_: float = 0.0,
+        gamma: float = 0.0,
+        reference: Optional[bytes] = None,
+        guide: Guide = [],
+        keep: Optional[str] = None,
+        degree: int = 0,
+        spans: int = 0,
+    ) -> Edit: ...
     def measure(
         self,
         patches: Shape,

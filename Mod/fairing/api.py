@@ -3,20 +3,22 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any, Iterable, Mapping, Optional
 
 import Part
 
 from . import exchange, native, subelements
 from .blend_request import BlendRequest
-from .choices import triple
+from .choices import guide_text, triple
 from .fill_all_request import FillAllRequest
 from .fill_request import FillRequest
 
 
 def fill(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, faces: Iterable[subelements.Pick] = (),
          continuity: str = "G1", edge_continuity: Optional[Mapping[Any, str]] = None,
-         reference: Optional[Part.Shape] = None, through: Iterable[Any] = (), **options) -> tuple[Part.Shape, dict]:
+         reference: Optional[Part.Shape] = None, guide: Any = (), through: Iterable[Any] = (),
+         **options) -> tuple[Part.Shape, dict]:
     """Fills one hole of a shape. Returns the new faces and the report on them.
 
     edges            any edges of the hole's border, "Edge7" or 7: one is enough where the border is free
@@ -27,6 +29,9 @@ def fill(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, faces: It
     symmetry         edges in a symmetry plane, with its normal, {"Edge9": (1, 0, 0)}
     through          points (x, y, z) and shapes whose edges and vertices the faces pass through
     reference        faces whose normals (weight lambda_) and points (weight gamma) guide the surface
+    guide            normals to follow (weight lambda_): handles [{"point": (x, y, z), "normal": (x, y, z), "weight": w,
+                     "radius": mm}, ...], or {"normals": handles, "field": {"n": n, "m": m, "normals": [...],
+                     "weights": [...], "corners": [p00, p10, p01]}} with a field over the whole patch
     options          layout, energy, lambda_, gamma, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles,
                      result ("patches", "shell" or "base"): see choices.Choices
     Raises FairingError with one sentence where that cannot be done.
@@ -34,13 +39,13 @@ def fill(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, faces: It
     picks = _edge_names(edges) + _face_names(faces)
     request = FillRequest.of(picks, edge_continuity, continuity=continuity,
                              reference=exchange.data_of(reference) if reference else None,
-                             through=tuple(_through(item) for item in through), **options)
+                             guide=guide_text(guide), through=tuple(_through(item) for item in through), **options)
     done = request.solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
 
 
 def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
-             reference: Optional[Part.Shape] = None, **options) -> tuple[Part.Shape, list[dict]]:
+             reference: Optional[Part.Shape] = None, guide: Any = (), **options) -> tuple[Part.Shape, list[dict]]:
     """Fills every hole of a shape, side by side. Returns the new faces and a report a hole.
 
     skipped  edges whose holes are left out
@@ -48,7 +53,8 @@ def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
     A hole that cannot be filled leaves the others alone: its report is {"edges": ["Edge7", ...], "error": sentence}.
     Raises FairingError where none can be filled.
     """
-    request = FillAllRequest.of(skipped, reference=exchange.data_of(reference) if reference else None, **options)
+    request = FillAllRequest.of(skipped, reference=exchange.data_of(reference) if reference else None,
+                                guide=guide_text(guide), **options)
     done = request.solve(exchange.data_of(shape))
     reports = [dict(hole.fill.report if hole.fill else {"error": hole.error},
                     edges=[f"Edge{number}" for number in hole.edges]) for hole in done.holes]
@@ -84,6 +90,31 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
     request = BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, ends=ends, end_faces=end_faces, ring=ring,
                               cuts=cuts, continuity=continuity, **options)
     done = request.solve(exchange.data_of(shape))
+    return exchange.part_shape(done.brep()), done.report
+
+
+def edit(shape: Part.Shape, face: subelements.Pick, *, reference: Optional[Part.Shape] = None, guide: Any = (),
+         lambda_: float = 0.0, gamma: float = 0.0, energy: str = "thin-plate", keep: Optional[str] = None,
+         degree: int = 0, spans: int = 0) -> tuple[Part.Shape, dict]:
+    """Shapes one face of a shape anew, its border kept. Returns the new face and the report on it.
+
+    face       the face, "Face3" or 3
+    lambda_    weight of the guiding normals
+    gamma      weight of the reference surface
+    reference  faces whose normals and points guide; without any the face itself does
+    guide      normals to follow in place of those: handles or a field, see fill(); a field lies over the face's own
+               parameters unless it names its corners
+    energy     "thin-plate" or "membrane"
+    keep       what stays along the border: "G0", "G1" or "G2"; None: "G1", or "G0" for the membrane
+    degree     3 to 9: raises the face's degree to it
+    spans      1 to 64: splits the face into as many along each direction
+    Raises FairingError with one sentence where that cannot be done.
+    """
+    number, = subelements.face_numbers(_face_names(face)) or (0,)
+    done = exchange.native_shape(shape).edit(
+        number, energy=energy, lambda_=lambda_, gamma=gamma,
+        reference=exchange.data_of(reference) if reference else None, guide=json.loads(guide_text(guide)), keep=keep,
+        degree=degree, spans=spans)
     return exchange.part_shape(done.brep()), done.report
 
 

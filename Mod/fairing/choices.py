@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
+import json
 import threading
 from collections import OrderedDict
 from typing import Any, Mapping, Optional
@@ -38,13 +39,14 @@ class Choices:
     lambda_: float = 0.0  # weight of the guiding normals
     gamma: float = 0.0  # weight of the reference surface
     reference: Optional[bytes] = dataclasses.field(default=None, repr=False)  # BREP of the faces that guide
+    guide: str = dataclasses.field(default="[]", repr=False)  # JSON: handles, a field
     gap_tolerance: Optional[float] = None  # mm; None: a millionth of the hole's diagonal
     angle_tolerance: float = 0.02  # degrees
     degree: int = 0  # 0: chosen from the edges
     max_poles: int = 2500
     result: str = "patches"
 
-    NOT_SCRIPTED = ("reference",)  # members that scripts give in another way
+    NOT_SCRIPTED = ("reference", "guide")  # members that scripts give in another way
 
     def continuity_of(self, edge: int) -> str:
         return dict(self.edge_continuity).get(edge, self.continuity)
@@ -65,6 +67,7 @@ class Choices:
             "continuity": self.continuity, "edge_continuity": dict(self.edge_continuity),
             "tangents": dict(self.tangents), "symmetry": dict(self.symmetry), "layout": self.layout,
             "energy": self.energy, "lambda_": self.lambda_, "gamma": self.gamma, "reference": self.reference,
+            "guide": json.loads(self.guide),
             "tolerance": self.gap_tolerance, "angle": self.angle_tolerance, "degree": self.degree,
             "max_poles": self.max_poles, "result": self.result,
         }
@@ -87,6 +90,11 @@ def triple(vector) -> Triple:
     if len(numbers) != 3:
         raise ValueError(f"{vector!r} is no point or direction: three numbers are needed")
     return numbers
+
+
+def guide_text(guide: Any) -> str:
+    """Handles, or a dict with handles and a field, as JSON: sequences of any kind become lists."""
+    return json.dumps(guide, default=list)
 
 
 class Recent:

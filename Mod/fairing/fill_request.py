@@ -20,7 +20,7 @@ class FillRequest(Choices):
     faces: tuple[int, ...] = ()
     through: tuple[Through, ...] = dataclasses.field(default=(), repr=False)
 
-    NOT_SCRIPTED = ("edges", "faces", "through", "reference")
+    NOT_SCRIPTED = ("edges", "faces", "through", "reference", "guide")
 
     @staticmethod
     def of(picks, edge_continuity: Optional[Mapping[Any, str]] = None, tangents=None, symmetry=None,

@@ -6,8 +6,6 @@
 #include "cli/parse.h"
 #include "cli/through.h"
 #include "occt/inner_constraints.h"
-#include "occt/reference.h"
-#include "occt/shape_file.h"
 #include "text/words.h"
 
 namespace fairing::cli {
@@ -119,6 +117,18 @@ Result<occt::ResultMode> SolveArguments::mode() const {
   return modeFrom(result);
 }
 
+void GuideArguments::addTo(CLI::App& command) {
+  command.add_option("--lambda", lambda, "weight of the guiding normals (default 0)");
+  command.add_option("--gamma", gamma, "weight of the reference surface (default 0)");
+  command.add_option(
+      "--reference", reference, "shape whose faces guide the surface: points and normals");
+  command.add_option("--guide", guide, "JSON file with guiding normals: handles, a field");
+}
+
+Result<energy::Guidance> GuideArguments::read() const {
+  return readGuidance(lambda, gamma, guide, reference);
+}
+
 void FillArguments::addTo(CLI::App& command) {
   solve.addFiles(command, "the shape with the hole, .brep or .step");
   picks.addTo(command);
@@ -132,11 +142,7 @@ void FillArguments::addTo(CLI::App& command) {
   addList(command, "--through-edges", throughEdges, "edges of SHAPE to pass through");
   addList(command, "--through-vertices", throughVertices, "vertices of SHAPE to pass through");
   command.add_flag("--outer", outer, "fill outer borders, too, where no edge is given");
-  command.add_option("--lambda", lambda, "weight of the guiding normals (default 0)");
-  command.add_option("--gamma", gamma, "weight of the reference surface (default 0)");
-  command.add_option(
-      "--reference", reference, "shape whose faces guide the surface: points and normals");
-  command.add_option("--guide", guide, "JSON file with guiding normals");
+  guide.addTo(command);
   solve.addChoices(command);
 }
 
@@ -146,20 +152,9 @@ Result<FillOptions> FillArguments::options() const {
   auto chosen = solve.options(picks.tolerance());
   if (!chosen) return chosen;
   chosen->layout = *layoutKind;
-  chosen->guidance.lambda = lambda;
-  chosen->guidance.gamma = gamma;
-  if (!guide.empty()) {
-    auto handles = readGuide(guide);
-    if (!handles) return fail(handles.error());
-    chosen->guidance.handles = std::move(*handles);
-  }
-  if (!reference.empty()) {
-    const auto faces = occt::readShape(reference);
-    if (!faces) return fail(faces.error());
-    auto nearest = occt::referenceOn(*faces);
-    if (!nearest) return fail(nearest.error());
-    chosen->guidance.reference = std::move(*nearest);
-  }
+  auto guidance = guide.read();
+  if (!guidance) return fail(guidance.error());
+  chosen->guidance = std::move(*guidance);
   if (const auto error = validate(*chosen)) return fail(*error);
   return chosen;
 }
@@ -180,6 +175,48 @@ Result<std::vector<InnerConstraint>> FillArguments::innerConstraints(
   if (!parts) return fail(parts.error());
   all.insert(all.end(), parts->begin(), parts->end());
   return all;
+}
+
+void EditArguments::addTo(CLI::App& command) {
+  command.add_option("SHAPE", shape, "the shape with the face, .brep or .step")->required();
+  command.add_option("-o,--out", out, "where the new face goes, .brep or .step")->required();
+  command.add_option("--face", face, "the face to edit, FreeCAD's number")->required();
+  command.add_option("--energy", energy, "thin-plate or membrane (default thin-plate)");
+  command.add_option("--keep",
+                     keep,
+                     "G0, G1 or G2: what stays along the border (default G1; G0 for the membrane)");
+  guide.addTo(command);
+  command.add_option(
+      "--degree", degree, "3 to 9: raise the face's degree to it (default: its own)");
+  command.add_option(
+      "--spans",
+      spans,
+      "1 to 64: split the face into as many along each direction (default: its own)");
+  command.add_option("--report", report, "JSON file for the numbers");
+}
+
+Result<EditOptions> EditArguments::options() const {
+  EditOptions chosen;
+  const auto energyKind = text::energyFrom(energy);
+  if (!energyKind) return fail(unknown("--energy", energy));
+  chosen.energy = *energyKind;
+  if (!keep.empty()) {
+    chosen.keep = text::continuityFrom(keep);
+    if (!chosen.keep) return fail(unknown("--keep", keep));
+  }
+  chosen.degree = degree;
+  chosen.spans = spans;
+  auto guidance = guide.read();
+  if (!guidance) return fail(guidance.error());
+  chosen.guidance = std::move(*guidance);
+  if (const auto error = validate(chosen)) return fail(*error);
+  return chosen;
+}
+
+Result<int> EditArguments::number() const {
+  const auto numbers = parseNumbers({face}, "--face", "Face");
+  if (!numbers) return fail(numbers.error());
+  return numbers->front();
 }
 
 void ReportArguments::addTo(CLI::App& command) {

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/blend/blend_options.h"
+#include "core/edit/edit_surface.h"
 #include "core/span/fill_options.h"
 #include "occt/picks.h"
 #include "occt/read_chains.h"
@@ -44,18 +45,27 @@ struct SolveArguments {
   [[nodiscard]] Result<occt::ResultMode> mode() const;
 };
 
+/// What guides a surface.
+struct GuideArguments {
+  double lambda = 0.0, gamma = 0.0;
+  std::string reference, guide;
+
+  void addTo(CLI::App& command);
+  /// Reads the reference and the guide file. Fails with the codes of readGuidance().
+  [[nodiscard]] Result<energy::Guidance> read() const;
+};
+
 struct FillArguments {
   SolveArguments solve;
   PickArguments picks;
   std::string layout = "auto";
   std::vector<std::string> through, throughEdges, throughVertices;
   bool outer = false;
-  double lambda = 0.0, gamma = 0.0;
-  std::string reference, guide;
+  GuideArguments guide;
 
   void addTo(CLI::App& command);
   /// Reads the reference and the guide file, too. Fails with UnknownChoice, the codes of
-  /// validate(), readShape() and readGuide().
+  /// validate() and readGuidance().
   [[nodiscard]] Result<FillOptions> options() const;
   /// What the patches must pass through. Fails with UnknownChoice, EdgeOutOfRange, VertexOutOfRange
   /// and the codes of readThrough().
@@ -82,6 +92,20 @@ struct BlendArguments {
   [[nodiscard]] Result<occt::BlendPicks> picks(const occt::ShapeIndex& index) const;
   /// Fails with UnknownChoice and the codes of validate().
   [[nodiscard]] Result<BlendOptions> options() const;
+};
+
+struct EditArguments {
+  std::string shape, out, face, report;
+  std::string energy{text::word(EditOptions{}.energy)}, keep;
+  GuideArguments guide;
+  int degree = 0, spans = 0;
+
+  void addTo(CLI::App& command);
+  /// Reads the reference and the guide file, too. Fails with UnknownChoice, the codes of
+  /// validate() and readGuidance().
+  [[nodiscard]] Result<EditOptions> options() const;
+  /// The face. Fails with UnknownChoice.
+  [[nodiscard]] Result<int> number() const;
 };
 
 struct ReportArguments {

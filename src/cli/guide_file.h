@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <string>
-#include <vector>
 
 #include "core/base/result.h"
 #include "core/energy/guidance.h"
 
 namespace fairing::cli {
 
-/// Reads {"normals": [{"point": [x,y,z], "normal": [x,y,z], "weight": w, "radius": r}, ...]};
-/// weight may be left out (1), radius is in mm. Normals need not be of unit length. Fails with
-/// FileUnreadable or GuideInvalid.
-[[nodiscard]] Result<std::vector<energy::NormalHandle>> readGuide(const std::string& path);
+/// What stands on the command line about guidance; empty paths give nothing. The guide file is that
+/// of text/guide_json.h, the reference a shape whose faces guide. Fails with FileUnreadable,
+/// GuideInvalid and the codes of readShape() and referenceOn().
+[[nodiscard]] Result<energy::Guidance> readGuidance(double lambda,
+                                                    double gamma,
+                                                    const std::string& guide,
+                                                    const std::string& reference);
 
 }  // namespace fairing::cli

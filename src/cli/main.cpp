@@ -31,6 +31,10 @@ Outcome run(int argc, char** argv) {
   CLI::App* blendCommand = app.add_subcommand("blend", "join two chains of edges by a strip");
   blend.addTo(*blendCommand);
 
+  fairing::cli::EditArguments edit;
+  CLI::App* editCommand = app.add_subcommand("edit", "shape a face anew under guidance");
+  edit.addTo(*editCommand);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -43,6 +47,7 @@ Outcome run(int argc, char** argv) {
   }
   if (*fillCommand) return fairing::cli::runFill(fill);
   if (*reportCommand) return fairing::cli::runReport(report);
+  if (*editCommand) return fairing::cli::runEdit(edit);
   return fairing::cli::runBlend(blend);
 }
 

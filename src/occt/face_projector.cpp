@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "occt/face_projector.h"
 
+#include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Eigen/Eigenvalues>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "occt/from_occt.h"
@@ -26,6 +30,10 @@ constexpr int kBorderSteps = 20;
 /// Shares of the way to the middle of the domain at which a normal is looked for where the surface
 /// has none.
 constexpr std::array kNudges{1e-6, 1e-5, 1e-4, 1e-3};
+/// Feet of several faces this close, as a share of the faces' size, are one place on their border.
+constexpr double kSamePlace = 1e-6;
+/// Sine of the angle from the normals beyond which a point lies not above its foot.
+constexpr double kAside = 0.01;
 
 }  // namespace
 
@@ -160,14 +168,31 @@ FacesProjector::FacesProjector(const TopoDS_Shape& faces) {
   TopTools_IndexedMapOfShape map;
   TopExp::MapShapes(faces, TopAbs_FACE, map);
   for (int i = 1; i <= map.Extent(); ++i) projectors_.emplace_back(TopoDS::Face(map(i)));
+  Bnd_Box box;
+  BRepBndLib::Add(faces, box, false);
+  if (!box.IsVoid()) size_ = std::sqrt(box.SquareExtent());
 }
 
 FaceFoot FacesProjector::nearest(const Vector3d& target) const {
   FaceFoot best{.distance = std::numeric_limits<double>::infinity(), .at = {}};
+  std::vector<FaceFoot> feet;
   for (const FaceProjector& projector : projectors_) {
-    FaceFoot foot = projector.nearest(target);
-    if (foot.distance < best.distance) best = std::move(foot);
+    feet.push_back(projector.nearest(target));
+    if (feet.back().distance < best.distance) best = feet.back();
   }
+  // Faces that meet at the foot cover what their normals span there.
+  const double same = kSamePlace * size_;
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+  for (const FaceFoot& foot : feet)
+    if ((foot.at.point - best.at.point).norm() <= same)
+      normals += foot.normal * foot.normal.transpose();
+  const Vector3d away = target - best.at.point;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(normals);
+  Vector3d aside = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (axes.eigenvalues()[k] < kAside * kAside)
+      aside += away.dot(axes.eigenvectors().col(k)) * axes.eigenvectors().col(k);
+  best.beside = aside.norm() > std::max(same, kAside * away.norm());
   return best;
 }
 

@@ -19,6 +19,8 @@ struct FaceFoot {
   const FaceProjector* face = nullptr;
   SurfacePoint at;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, the face's orientation respected
+  /// The point lies beside the faces: neither above nor below them, nor out where they meet.
+  bool beside = false;
 };
 
 /// Nearest points of a face: of its surface within its trim, whose border is surface o pcurve. The
@@ -72,6 +74,7 @@ class FacesProjector {
 
  private:
   std::vector<FaceProjector> projectors_;
+  double size_ = 0.0;  // diagonal of the faces' box
 };
 
 }  // namespace fairing::occt

@@ -41,7 +41,8 @@ Result<Reference> referenceOn(const TopoDS_Shape& faces) {
     return [pool](const Eigen::Vector3d& near) -> energy::GuidanceSample {
       try {
         const FaceFoot foot = pool->mine().nearest(near);
-        return {.normal = foot.normal, .point = foot.at.point, .lambda = 1.0, .gamma = 1.0};
+        const double weight = foot.beside ? 0.0 : 1.0;
+        return {.normal = foot.normal, .point = foot.at.point, .lambda = weight, .gamma = weight};
       } catch (const Standard_Failure&) {
         return {};  // weights 0: nothing is known here
       }

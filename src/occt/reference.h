@@ -9,7 +9,8 @@
 
 namespace fairing::occt {
 
-/// The nearest point of the faces and the unit normal there, with weights 1. Fails with ShapeEmpty
+/// The nearest point of the faces and the unit normal there, with weights 1; with weights 0 where
+/// the faces end before they come below or above the point. Fails with ShapeEmpty
 /// where there is no face. May be called by several threads at once.
 [[nodiscard]] Result<std::function<energy::GuidanceSample(const Eigen::Vector3d&)>> referenceOn(
     const TopoDS_Shape& faces);

@@ -42,7 +42,7 @@ occt::ShapeFill fill(const ShapeIndex& shape,
                      double lambda,
                      double gamma,
                      const std::optional<py::bytes>& reference,
-                     const std::vector<py::dict>& guide,
+                     const py::object& guide,
                      std::optional<double> tolerance,
                      double angle,
                      int degree,
@@ -78,7 +78,7 @@ occt::AllFilled fillAll(const ShapeIndex& shape,
                         double lambda,
                         double gamma,
                         const std::optional<py::bytes>& reference,
-                        const std::vector<py::dict>& guide,
+                        const py::object& guide,
                         std::optional<double> tolerance,
                         double angle,
                         int degree,
@@ -147,7 +147,9 @@ void bindFilling(py::class_<ShapeIndex>& shape) {
           "the normal of a symmetry plane they lie in; through holds points (x, y, z) and BREP of "
           "edges and vertices to pass through. tolerance is in mm (None: a millionth of the hole's "
           "diagonal), angle in degrees. reference is the BREP of faces that guide; guide a list of "
-          "{point, normal, weight, radius}. The GIL is released while solving. Raises "
+          "{point, normal, weight, radius}, or {normals: that list, field: {n, m, normals, "
+          "weights, "
+          "corners}}. The GIL is released while solving. Raises "
           "FairingError.")
       .def(
           "fill_all",

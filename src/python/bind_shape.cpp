@@ -150,6 +150,7 @@ void bindShape(py::module_& module) {
            "The report on any faces that are to fill that hole, as a dict.");
   bindFilling(shape);
   bindBlend(module, shape);
+  bindEdit(module, shape);
 }
 
 }  // namespace fairing::python

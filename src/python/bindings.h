@@ -17,5 +17,7 @@ void bindShape(pybind11::module_& module);
 void bindFilling(pybind11::class_<occt::ShapeIndex>& shape);
 /// The type Blend, and the methods chains, whole_chain and blend of Shape.
 void bindBlend(pybind11::module_& module, pybind11::class_<occt::ShapeIndex>& shape);
+/// The type Edit, and the method edit of Shape.
+void bindEdit(pybind11::module_& module, pybind11::class_<occt::ShapeIndex>& shape);
 
 }  // namespace fairing::python

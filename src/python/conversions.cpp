@@ -3,9 +3,12 @@
 
 #include <pybind11/stl.h>
 
+#include <nlohmann/json.hpp>
+
 #include "occt/inner_constraints.h"
 #include "occt/reference.h"
 #include "occt/shape_bytes.h"
+#include "text/guide_json.h"
 #include "text/words.h"
 
 namespace py = pybind11;
@@ -15,13 +18,6 @@ namespace {
 
 Eigen::Vector3d vectorOf(const Triple& a) {
   return {a[0], a[1], a[2]};
-}
-
-energy::NormalHandle handleOf(const py::dict& guide) {
-  return {.point = vectorOf(guide["point"].cast<Triple>()),
-          .normal = vectorOf(guide["normal"].cast<Triple>()),
-          .weight = guide.contains("weight") ? guide["weight"].cast<double>() : 1.0,
-          .radius = guide["radius"].cast<double>()};
 }
 
 TopoDS_Shape shapeOf(const py::bytes& data) {
@@ -74,11 +70,18 @@ FillOptions optionsOf(const std::string& energy,
 energy::Guidance guidanceOf(double lambda,
                             double gamma,
                             const std::optional<py::bytes>& reference,
-                            const std::vector<py::dict>& guide) {
+                            const py::object& guide) {
   energy::Guidance guidance;
+  if (py::len(guide) > 0) {
+    const py::object list = py::module_::import("builtins").attr("list");
+    const auto text = py::module_::import("json")
+                          .attr("dumps")(guide, py::arg("default") = list)
+                          .cast<std::string>();
+    const auto json = nlohmann::json::parse(text, nullptr, false);  // NaN is no JSON
+    guidance = valueOf(text::guidanceFrom(json, "given"));
+  }
   guidance.lambda = lambda;
   guidance.gamma = gamma;
-  for (const py::dict& item : guide) guidance.handles.push_back(handleOf(item));
   if (reference) guidance.reference = valueOf(occt::referenceOn(shapeOf(*reference)));
   return guidance;
 }

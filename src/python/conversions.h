@@ -55,12 +55,12 @@ T finished(Result<T> made, Progress* progress) {
                                     int degree,
                                     int maxPoles);
 
-/// `guide`: dicts {"point": (x, y, z), "normal": (x, y, z), "weight": w, "radius": mm}; weight may
-/// be left out. `reference`: BREP of the faces that guide.
+/// `guide`: a list of handles, or a dict with handles and a field (text/guide_json.h); empty =
+/// none; points are any sequences of three. `reference`: BREP of the faces that guide.
 [[nodiscard]] energy::Guidance guidanceOf(double lambda,
                                           double gamma,
                                           const std::optional<pybind11::bytes>& reference,
-                                          const std::vector<pybind11::dict>& guide);
+                                          const pybind11::object& guide);
 
 [[nodiscard]] std::vector<InnerConstraint> throughOf(const std::vector<Through>& through);
 

@@ -24,6 +24,22 @@ const char* name(ErrorCode code) {
       return "DegreeOutOfRange";
     case ErrorCode::ControlPointLimit:
       return "ControlPointLimit";
+    case ErrorCode::SpansOutOfRange:
+      return "SpansOutOfRange";
+    case ErrorCode::NormalZero:
+      return "NormalZero";
+    case ErrorCode::FieldSize:
+      return "FieldSize";
+    case ErrorCode::FieldManyPatches:
+      return "FieldManyPatches";
+    case ErrorCode::FieldUnplaced:
+      return "FieldUnplaced";
+    case ErrorCode::HandleOff:
+      return "HandleOff";
+    case ErrorCode::ReferenceOff:
+      return "ReferenceOff";
+    case ErrorCode::NothingToMove:
+      return "NothingToMove";
     case ErrorCode::GuideInvalid:
       return "GuideInvalid";
     case ErrorCode::UnknownChoice:

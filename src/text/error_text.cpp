@@ -25,8 +25,51 @@ std::string optionSentence(const Error& e) {
     case ErrorCode::ControlPointLimit:
       return fmt::format("The largest number of control points, {}, leaves no room for a patch.",
                          count(e));
+    case ErrorCode::SpansOutOfRange:
+      return fmt::format("The number of spans must be from 1 to 64, or 0 to leave it, not {}.",
+                         count(e));
     default:
       return fmt::format("There is no choice called {}.", e.detail);
+  }
+}
+
+std::string guidanceSentence(const Error& e) {
+  switch (e.code) {
+    case ErrorCode::NormalZero:
+      return fmt::format("Normal {} of the {} that guide{} is zero: give it a direction.",
+                         count(e),
+                         e.detail == "handle" ? "handles" : e.detail,
+                         e.detail == "handle" ? "" : "s");
+    case ErrorCode::FieldSize:
+      return fmt::format(
+          "A field of {} divisions needs a normal and a weight for every point of its grid, "
+          "(n + 1) times (m + 1), and not {}.",
+          e.detail,
+          count(e));
+    case ErrorCode::FieldManyPatches:
+      return fmt::format(
+          "A field of normals lies on one patch, and here are {}: give handles or a reference, or "
+          "ask for the quad layout.",
+          count(e));
+    case ErrorCode::FieldUnplaced:
+      return "A field of normals for a hole must say where it lies: give its \"corners\", the "
+             "points of its parameters (0, 0), (1, 0) and (0, 1).";
+    case ErrorCode::HandleOff:
+      return fmt::format(
+          "Handle {}{} guides nothing: the nearest point sampled on the surface is {} away, beyond "
+          "its radius.",
+          e.detail,
+          at(e),
+          length(e.value));
+    case ErrorCode::ReferenceOff:
+      return "The reference covers nothing of the surface it is to guide: choose faces above or "
+             "below it.";
+    default:
+      return fmt::format(
+          "To keep {} at the border{} all control points have to stay: ask for a higher degree or "
+          "more spans, or keep less.",
+          e.detail,
+          e.face > 0 ? fmt::format(" of face {}", e.face) : "");
   }
 }
 
@@ -203,7 +246,16 @@ std::string sentence(const Error& error) {
     case ErrorCode::DegreeOutOfRange:
     case ErrorCode::ControlPointLimit:
     case ErrorCode::UnknownChoice:
+    case ErrorCode::SpansOutOfRange:
       return optionSentence(error);
+    case ErrorCode::NormalZero:
+    case ErrorCode::FieldSize:
+    case ErrorCode::FieldManyPatches:
+    case ErrorCode::FieldUnplaced:
+    case ErrorCode::HandleOff:
+    case ErrorCode::ReferenceOff:
+    case ErrorCode::NothingToMove:
+      return guidanceSentence(error);
     case ErrorCode::NothingPicked:
     case ErrorCode::EdgeOutOfRange:
     case ErrorCode::FaceOutOfRange:

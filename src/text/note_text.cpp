@@ -76,6 +76,16 @@ std::string sentence(const analysis::Note& note) {
           note.edge,
           point(note.where),
           note.face);
+    case analysis::NoteCode::FaceConverted:
+      return fmt::format(
+          "Face {} is no polynomial B-spline: it was converted, {} off at most, and so is its "
+          "border.",
+          note.face,
+          length(note.value));
+    case analysis::NoteCode::ReferenceShort:
+      return fmt::format(
+          "The reference does not cover {} of the surface: the energy alone shapes it there.",
+          percent(note.value));
   }
   return {};
 }

@@ -102,6 +102,20 @@ json list(const std::vector<T>& items) {
 
 }  // namespace
 
+json notesToJson(const std::vector<analysis::Note>& notes) {
+  return list(notes);
+}
+
+json toJson(const analysis::GuidanceReport& guidance) {
+  return {{"normals", guidance.normals},
+          {"rms_angle", guidance.rmsAngle},
+          {"largest_angle", guidance.largestAngle},
+          {"where", guidance.normals > 0 ? toJson(guidance.where) : json()},
+          {"points", guidance.points},
+          {"rms_distance", guidance.rmsDistance},
+          {"covered", guidance.covered}};
+}
+
 json toJson(const analysis::FillReport& report) {
   return {{"within_tolerance", report.withinTolerance},
           {"verdict", verdict(report)},
@@ -123,6 +137,7 @@ json toJson(const analysis::FillReport& report) {
           {"seams", list(report.seams)},
           {"inner", list(report.inner)},
           {"notes", list(report.notes)},
+          {"guidance", report.guidance ? toJson(*report.guidance) : json()},
           {"fairness", toJson(report.fairness)}};
 }
 

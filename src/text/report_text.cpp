@@ -105,6 +105,19 @@ std::string innerTable(const FillReport& report) {
   return text;
 }
 
+std::string guidanceLine(const FillReport& report) {
+  if (!report.guidance) return {};
+  const analysis::GuidanceReport& g = *report.guidance;
+  std::string text = "Guidance:";
+  if (g.normals > 0)
+    text += fmt::format(" {} from the normals (rms), {} at most{}",
+                        angle(g.rmsAngle),
+                        angle(g.largestAngle),
+                        g.points > 0 ? ";" : "");
+  if (g.points > 0) text += fmt::format(" {} from the reference (rms)", length(g.rmsDistance));
+  return text + ".\n";
+}
+
 std::string notes(const FillReport& report) {
   std::string text;
   for (const analysis::Note& note : report.notes) text += "Note: " + sentence(note) + "\n";
@@ -127,7 +140,8 @@ std::string verdict(const FillReport& report) {
 }
 
 std::string table(const FillReport& report) {
-  return sideTable(report) + seamTable(report) + innerTable(report) + notes(report);
+  return sideTable(report) + seamTable(report) + innerTable(report) + guidanceLine(report) +
+         notes(report);
 }
 
 std::string composition(const FillResult& fill) {

@@ -12,7 +12,7 @@ namespace fairing::text {
 [[nodiscard]] std::string verdict(const analysis::FillReport& report);
 
 /// One line an edge under a head line, in columns; then, where there are any, one a seam, one an
-/// inner constraint, and one a note. Ends with a line break.
+/// inner constraint, one about guidance, and one a note. Ends with a line break.
 [[nodiscard]] std::string table(const analysis::FillReport& report);
 
 /// How the hole is spanned: "Layout star: 5 patches, 320 control points."

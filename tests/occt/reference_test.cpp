@@ -47,6 +47,20 @@ TEST(Reference, TakesTheNearestOfSeveralFaces) {
   EXPECT_LT(((*nearest)({5, 1, 5}).normal + Vector3d::UnitY()).norm(), 1e-12);
 }
 
+TEST(Reference, WeighsNothingBesideItsFaces) {
+  const auto plane =
+      referenceOn(grid(new Geom_Plane(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), {0, 5, 10}, {0, 10}, {}));
+  ASSERT_TRUE(plane.has_value());
+  for (const Vector3d& above : {Vector3d(4, 5, 3), Vector3d(5, 5, 3), Vector3d(10, 5, -1)})
+    EXPECT_EQ((*plane)(above).gamma, 1.0);
+  for (const Vector3d& beside : {Vector3d(10.1, 5, 3), Vector3d(14, 5, 0), Vector3d(5, -1, 1)}) {
+    EXPECT_EQ((*plane)(beside).lambda, 0.0);
+    EXPECT_EQ((*plane)(beside).gamma, 0.0);
+  }
+  // Beyond the edge where two faces meet nothing is missing.
+  EXPECT_EQ((*referenceOn(box(10, 10, 10)))({12, 12, 5}).gamma, 1.0);
+}
+
 TEST(Reference, NeedsAFace) {
   EXPECT_FALSE(referenceOn(compound({})).has_value());
 }

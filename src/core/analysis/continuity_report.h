@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/analysis/loop_probe.h"
@@ -77,6 +78,17 @@ struct InnerReport {
   Deviation gap;   ///< distance to the patches, mm
 };
 
+/// How well patches follow what guides them (measure_guidance.h).
+struct GuidanceReport {
+  int normals = 0;            ///< samples with a guiding normal; 0 = angles do not apply
+  double rmsAngle = 0.0;      ///< between the normals, whichever way they point; degrees, 0 to 90
+  double largestAngle = 0.0;  ///< degrees
+  Eigen::Vector3d where = Eigen::Vector3d::Zero();  ///< of the largest angle, on the patch, mm
+  int points = 0;            ///< samples with a point of S; 0 = the distance does not apply
+  double rmsDistance = 0.0;  ///< to S, mm
+  double covered = 1.0;      ///< share of the patches that a reference covers, 0 to 1
+};
+
 /// Something the user should know that is no failure.
 enum class NoteCode {
   EdgeAbsorbed,      ///< edge, value = length in mm: too short to be a side of its own
@@ -90,6 +102,8 @@ enum class NoteCode {
   BasesOverlap,      ///< where, value = extent in mm: the bases of a blend cut each other
   SetbackOffFace,  ///< edge, face, where, value = mm: a curve to set back to was laid onto the face
   SetbackExtended,  ///< edge, face, where, value = mm: it was extended to the face's border
+  FaceConverted,    ///< face, value = mm: it is no B-spline, and what stands for it is this close
+  ReferenceShort,   ///< value = share of the surface that the reference does not cover, 0 to 1
 };
 struct Note {
   NoteCode code = NoteCode::EdgeAbsorbed;
@@ -126,8 +140,9 @@ struct FillReport {
   std::vector<InnerReport> inner;
   std::vector<Note> notes;
   FairnessReport fairness;
-  double diagonal = 0.0;  ///< of the loop, mm
-  double gapLimit = 0.0;  ///< the limits the verdict was made with, mm and degrees
+  std::optional<GuidanceReport> guidance;  ///< where anything guides
+  double diagonal = 0.0;                   ///< of the loop, mm
+  double gapLimit = 0.0;                   ///< the limits the verdict was made with, mm and degrees
   double angleLimit = 0.0;
   double cornerAngleLimit = 0.0;  ///< at corners whose twists agree
   double curvatureLimit = 0.0;    ///< of G2 sides, relative

@@ -16,6 +16,15 @@ enum class ErrorCode {
   DegreeOutOfRange,      ///< value = the degree given
   ControlPointLimit,     ///< value = the limit given
   UnknownChoice,         ///< detail = the option and the word given
+  SpansOutOfRange,       ///< value = the number of spans given
+  // guidance
+  NormalZero,        ///< detail = "handle" or "field", value = number of the normal
+  FieldSize,         ///< detail = the grid's divisions, "8 x 8", value = number of normals given
+  FieldManyPatches,  ///< value = number of patches: a field lies on one patch only
+  FieldUnplaced,     ///< a field for a hole does not say where its corners lie
+  HandleOff,         ///< where, detail = the handle's number, value = mm to the nearest sample
+  ReferenceOff,      ///< the reference covers nothing of the patch
+  NothingToMove,     ///< face, detail = "G0", "G1" or "G2": all control points are held
   // picks
   NothingPicked,          ///< no edge given and no loop of free edges found
   EdgeOutOfRange,         ///< edge = number given, value = number of edges in the shape

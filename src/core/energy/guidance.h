@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/spline/bspline_surface.h"
 
 namespace fairing::energy {
@@ -31,7 +32,7 @@ struct NormalHandle {
 /// to it), N not necessarily of unit length. Integrated exactly. [WuYang2015] section 2 and 3.
 struct ContinuousGuidance {
   spline::BsplineSurface normals;
-  spline::BsplineSurface reference;
+  std::optional<spline::BsplineSurface> reference = {};  ///< empty = no S
 };
 
 /// The discrete form: unit normals, points and weights on an (n+1) x (m+1) grid of the unit square,
@@ -43,21 +44,37 @@ struct DiscreteGuidance {
   Eigen::VectorXd lambda, gamma;  ///< weights per sample, multiplied by the global ones
 };
 
+/// Where a field's parameters (0, 0), (1, 0) and (0, 1) lie in space: the corners of the patch that
+/// are nearest to them say how the field lies on the patch. Without them it lies as the patch's own
+/// parameters do.
+struct FieldCorners {
+  Eigen::Vector3d origin, alongU, alongV;
+};
+
 /// All guidance of one fill. Empty members do nothing.
 struct Guidance {
   double lambda = 0.0;  ///< >= 0
   double gamma = 0.0;   ///< >= 0
   std::optional<ContinuousGuidance> continuous;
   std::optional<DiscreteGuidance> discrete;
+  std::optional<FieldCorners> corners;  ///< of `continuous` and `discrete`
   std::vector<NormalHandle> handles;
   /// Nearest point and unit normal on a reference shape (faces given with --reference), empty =
   /// none.
   std::function<GuidanceSample(const Eigen::Vector3d& near)> reference;
+  /// The guide at the patch's own parameters mapped to the unit square, empty = none. Integrated by
+  /// Gauss-Legendre.
+  std::function<GuidanceSample(double u, double v)> parametric;
 
-  [[nodiscard]] bool acts() const {
-    return (lambda > 0.0 || gamma > 0.0) &&
-           (continuous || discrete || !handles.empty() || reference);
+  [[nodiscard]] bool hasField() const { return continuous || discrete; }
+  /// Whether there is anything to follow, whatever its weight.
+  [[nodiscard]] bool isGiven() const {
+    return hasField() || !handles.empty() || reference || parametric;
   }
+  [[nodiscard]] bool acts() const { return (lambda > 0.0 || gamma > 0.0) && isGiven(); }
 };
+
+/// The first thing wrong with what guides: WeightNegative, NormalZero, FieldSize, NotFinite.
+[[nodiscard]] std::optional<Error> validate(const Guidance& guidance);
 
 }  // namespace fairing::energy

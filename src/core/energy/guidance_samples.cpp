@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/energy/lay_field.h"
 #include "core/spline/quadrature.h"
 
 namespace fairing::energy {
@@ -38,14 +39,18 @@ KnotVector commonBreaks(const KnotVector& patch, const KnotVector& guide) {
   return KnotVector::fromBreaks(1, all);
 }
 
+spline::BsplineSurface overUnitSquare(const spline::BsplineSurface& s) {
+  return {s.u.mapped(0.0, 1.0), s.v.mapped(0.0, 1.0), s.poles};
+}
+
 void addContinuous(const Guidance& g, const Domain& d, std::vector<WeightedSample>& samples) {
-  const auto& [normals, reference] = *g.continuous;
+  const spline::BsplineSurface normals = overUnitSquare(g.continuous->normals);
+  // Without S its place is taken by N, at no weight.
+  const double gamma = g.continuous->reference ? g.gamma : 0.0;
+  const spline::BsplineSurface reference =
+      overUnitSquare(g.continuous->reference.value_or(g.continuous->normals));
   const auto unit = [](double x, const KnotVector& k) {
     return (x - k.first()) / (k.last() - k.first());
-  };
-  const auto at = [&](const spline::BsplineSurface& s, double u, double v) {
-    return s.evaluate(s.u.first() + u * (s.u.last() - s.u.first()),
-                      s.v.first() + v * (s.v.last() - s.v.first()));
   };
   // Degree of B^2 N^2 or (R - S)^2, at most twice the sum; n Gauss points are exact to degree 2n
   // - 1.
@@ -65,7 +70,7 @@ void addContinuous(const Guidance& g, const Domain& d, std::vector<WeightedSampl
         samples.push_back({qu.parameter,
                            qv.parameter,
                            qu.weight * qv.weight,
-                           {at(normals, u, v), at(reference, u, v), g.lambda, g.gamma}});
+                           {normals.evaluate(u, v), reference.evaluate(u, v), g.lambda, gamma}});
       });
 }
 
@@ -118,6 +123,23 @@ void addLookedUp(const Guidance& g,
       });
 }
 
+// One point more than for the energy: (R - S)^2 is integrated exactly where R and S share their
+// knots.
+void addParametric(const Guidance& g, const Domain& d, std::vector<WeightedSample>& samples) {
+  forEachGaussPoint(d.u,
+                    d.u.degree() + 1,
+                    d.v,
+                    d.v.degree() + 1,
+                    [&](const spline::QuadraturePoint& qu, const spline::QuadraturePoint& qv) {
+                      GuidanceSample guide =
+                          g.parametric((qu.parameter - d.u.first()) / d.width(),
+                                       (qv.parameter - d.v.first()) / d.height());
+                      guide.lambda *= g.lambda;
+                      guide.gamma *= g.gamma;
+                      samples.push_back({qu.parameter, qv.parameter, qu.weight * qv.weight, guide});
+                    });
+}
+
 }  // namespace
 
 std::vector<WeightedSample> guidanceSamples(const Guidance& guidance,
@@ -126,8 +148,12 @@ std::vector<WeightedSample> guidanceSamples(const Guidance& guidance,
                                             const spline::BsplineSurface& current) {
   const Domain domain{u, v};
   std::vector<WeightedSample> samples;
-  if (guidance.continuous) addContinuous(guidance, domain, samples);
-  if (guidance.discrete) addDiscrete(guidance, domain, samples);
+  if (guidance.hasField()) {
+    const Guidance laid = laidOn(guidance, current);
+    if (laid.continuous) addContinuous(laid, domain, samples);
+    if (laid.discrete) addDiscrete(laid, domain, samples);
+  }
+  if (guidance.parametric) addParametric(guidance, domain, samples);
   if (!guidance.handles.empty() || guidance.reference)
     addLookedUp(guidance, domain, current, samples);
   return samples;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/analysis/measure_guidance.h"
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
 #include "core/fill/measure_trimmed.h"
@@ -154,6 +155,12 @@ Result<FillResult> fillTrimmed(const boundary::BoundaryLoop& loop,
     knots = *finer;
   }
   best->report.fairness = trimmedFairness(work.hole, best->patches.front());
+  const auto isInside = [&](std::size_t, double u, double v) {
+    return work.hole.projected.contains({u, v});
+  };
+  const auto guided =
+      analysis::addGuidance(best->report, options.guidance, best->patches, isInside);
+  if (!guided) return fail(guided.error());
   best->trims = {height_field::trimBy(
       work.hole.target, work.hole.frame, kFitShare * options.tolerance.gapFor(loop.diagonal))};
   best->summary.solves = summary.solves;

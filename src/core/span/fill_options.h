@@ -26,7 +26,7 @@ struct FillOptions {
 };
 
 /// The first thing wrong with the options, if any: ToleranceNotPositive, AngleNotPositive,
-/// WeightNegative, DegreeOutOfRange...
+/// WeightNegative, DegreeOutOfRange, FieldUnplaced...
 [[nodiscard]] std::optional<Error> validate(const FillOptions& options);
 
 }  // namespace fairing

@@ -123,6 +123,9 @@ bool isIterated(const boundary::BoundaryLoop& loop, const FillOptions& options) 
 Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,
                                      const layout::PatchLayout& layout,
                                      const energy::Guidance& guidance) {
+  if (guidance.hasField() && layout.patches.size() > 1)
+    return fail(
+        {.code = ErrorCode::FieldManyPatches, .value = static_cast<double>(layout.patches.size())});
   auto solution = solver::solve(program);
   if (!solution || !guidance.acts()) return solution;
   const auto guided =

@@ -57,7 +57,7 @@ struct Aim {
 [[nodiscard]] bool isIterated(const boundary::BoundaryLoop& loop, const FillOptions& options);
 
 /// The minimiser, under guidance where it acts. Guidance is looked up near the shape it acts on:
-/// first the fill without it, then with it.
+/// first the fill without it, then with it. Fails with FieldManyPatches and the codes of solve().
 [[nodiscard]] Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,
                                                    const layout::PatchLayout& layout,
                                                    const energy::Guidance& guidance);

@@ -5,6 +5,7 @@
 
 #include "core/analysis/curvature.h"
 #include "core/analysis/measure_fill.h"
+#include "core/analysis/measure_guidance.h"
 #include "core/analysis/measure_seams.h"
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
@@ -124,6 +125,8 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
     layout = layout::refineLayout(span.plan, layout, wishes);
   }
   best->report.fairness = analysis::measureFairness(best->patches);
+  const auto guided = analysis::addGuidance(best->report, options.guidance, best->patches);
+  if (!guided) return fail(guided.error());
   best->summary.layoutTime = layoutTime;
   best->summary.totalTime = watch.total();
   return std::move(*best);

@@ -66,7 +66,8 @@ double integrand(const spline::SurfaceJet& r,
 
 // The oracle: eight Gauss points on a mesh that holds every knot of patch and guide.
 double continuousEnergy(const BsplineSurface& patch, const Guidance& g) {
-  const auto& [normals, reference] = *g.continuous;
+  const BsplineSurface& normals = g.continuous->normals;
+  const BsplineSurface& reference = *g.continuous->reference;
   BsplineSurface fine = patch;
   const auto split = [](KnotVector knots, const KnotVector& guide) {
     for (const double b : guide.mapped(knots.first(), knots.last()).breaks())
@@ -188,7 +189,7 @@ TEST(AssembleGuidance, ADenseGridOfUnitWeightsTendsToTheIntegral) {
       const double s = static_cast<double>(k / (n + 1)) / n;
       const double t = static_cast<double>(k % (n + 1)) / n;
       grid.normals.row(k) = exact.continuous->normals.evaluate(s, t).transpose();
-      grid.points.row(k) = exact.continuous->reference.evaluate(s, t).transpose();
+      grid.points.row(k) = exact.continuous->reference->evaluate(s, t).transpose();
     }
     Guidance guidance;
     guidance.lambda = guidance.gamma = 1.0;
