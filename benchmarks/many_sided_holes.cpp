@@ -118,6 +118,7 @@ Hole suitcaseCorner() {
 std::vector<Hole> manySidedHoles() {
   return {sphereOctant(),
           polygonHole("wavy_triangle", 3),
+          polygonHole("wavy_pentagon", 5),
           polygonHole("wavy_hexagon", 6),
           roundHole(),
           suitcaseCorner()};

@@ -85,12 +85,14 @@ struct BlendArguments {
   double setbackFrom = 0.0, setbackTo = 0.0;
   std::vector<std::string> fromCurve, toCurve;
   bool flipFrom = false, flipTo = false;
+  GuideArguments guide;
 
   void addTo(CLI::App& command);
   /// Fails with UnknownChoice, OneSideOnly where `edges` are one chain, and the codes of
   /// groupEdges().
   [[nodiscard]] Result<occt::BlendPicks> picks(const occt::ShapeIndex& index) const;
-  /// Fails with UnknownChoice and the codes of validate().
+  /// Reads the reference and the guide file, too. Fails with UnknownChoice, the codes of
+  /// validate() and readGuidance().
   [[nodiscard]] Result<BlendOptions> options() const;
 };
 

@@ -85,6 +85,7 @@ void BlendArguments::addTo(CLI::App& command) {
   addList(command, "--end-faces", endFaces, "faces that the ends of the blend follow, such as 3,4");
   command.add_option("--tolerance", gap, "largest gap, mm (default: 1e-6 of the blend's diagonal)");
   command.add_option("--angle", angle, "largest angle along an edge, degrees (default 0.02)");
+  guide.addTo(command);
   solve.addChoices(command);
 }
 
@@ -141,6 +142,9 @@ Result<occt::BlendPicks> BlendArguments::picks(const occt::ShapeIndex& index) co
 Result<BlendOptions> BlendArguments::options() const {
   auto common = solve.options(toleranceFrom(gap, angle));
   if (!common) return fail(common.error());
+  auto guidance = guide.read();
+  if (!guidance) return fail(guidance.error());
+  common->guidance = std::move(*guidance);
   const auto first = departure("--departure-from", departureFrom);
   if (!first) return fail(first.error());
   const auto second = departure("--departure-to", departureTo);

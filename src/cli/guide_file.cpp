@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "cli/guide_file.h"
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "occt/mesh_reference.h"
 #include "occt/reference.h"
 #include "occt/shape_file.h"
 #include "text/guide_json.h"
@@ -18,6 +20,11 @@ Result<energy::Guidance> readGuide(const std::string& path) {
   if (guide.is_discarded())
     return fail({.code = ErrorCode::GuideInvalid, .detail = path + ": it is not JSON"});
   return text::guidanceFrom(guide, path);
+}
+
+bool isMesh(const std::string& path) {
+  const std::string end = std::filesystem::path(path).extension().string();
+  return end == ".stl" || end == ".STL";
 }
 
 }  // namespace
@@ -35,7 +42,7 @@ Result<energy::Guidance> readGuidance(double lambda,
   guidance.lambda = lambda;
   guidance.gamma = gamma;
   if (!reference.empty()) {
-    const auto faces = occt::readShape(reference);
+    const auto faces = isMesh(reference) ? occt::readMesh(reference) : occt::readShape(reference);
     if (!faces) return fail(faces.error());
     auto nearest = occt::referenceOn(*faces);
     if (!nearest) return fail(nearest.error());

@@ -27,6 +27,7 @@ Result<ShapeBlend> joined(const Base& base,
                           const boundary::BoundaryLoop& sides,
                           const std::vector<boundary::SideRange>& chains,
                           Blend blend,
+                          const Reach& reach,
                           ResultMode mode) {
   FillResult& fill = blend.fill;
   auto& notes = fill.report.notes;
@@ -41,7 +42,9 @@ Result<ShapeBlend> joined(const Base& base,
   std::erase_if(joints.sides, [](const auto& side) { return side.edge == 0; });  // on a wall
   const auto shape = joinResult(base.index, {}, {{*faces, joints, fill.report.largestGap}}, mode);
   if (!shape) return fail(inNumbersOf(shape.error(), base.users));
-  return ShapeBlend{{*shape, std::move(fill), std::move(loop)}, std::move(blend.natural)};
+  auto live = std::make_shared<LiveFill>(loop, blend.natural->options(), blend.natural->result());
+  return ShapeBlend{
+      {*shape, std::move(fill), std::move(loop), std::move(live)}, std::move(blend.natural), reach};
 }
 
 boundary::ChainPair named(boundary::ChainPair pair, const UserNumbers& users) {
@@ -85,7 +88,8 @@ Result<ShapeBlend> strip(const Base& base,
   if (!pair) return fail(pair.error());
   auto blend = blendChains(named(*pair, base.users), options, progress);
   if (!blend) return fail(blend.error());
-  return joined(base, pair->sides, {pair->chain(0), pair->chain(1)}, std::move(*blend), mode);
+  return joined(
+      base, pair->sides, {pair->chain(0), pair->chain(1)}, std::move(*blend), options.reach, mode);
 }
 
 /// What is wished of two chains alone, if anything.
@@ -105,7 +109,7 @@ Result<ShapeBlend> junction(const Base& base,
                             Progress* progress) {
   auto made = blendRing(ring, options, progress);
   if (!made) return fail(made.error());
-  return joined(base, ring.sides, ring.sides.chains(), std::move(*made), mode);
+  return joined(base, ring.sides, ring.sides.chains(), std::move(*made), options.reach, mode);
 }
 
 }  // namespace
@@ -142,7 +146,7 @@ Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {
   addSingularSupports(blend.loop, fill->report);
   const auto faces = makeFaces(*fill);
   if (!faces) return fail(faces.error());
-  return ShapeBlend{{*faces, std::move(*fill), blend.loop}, blend.natural};
+  return ShapeBlend{{*faces, std::move(*fill), blend.loop, blend.live}, blend.natural, reach};
 }
 
 }  // namespace fairing::occt

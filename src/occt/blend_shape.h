@@ -10,7 +10,8 @@ namespace fairing::occt {
 
 /// A blend of a shape; `loop` holds all chains.
 struct ShapeBlend : ShapeFill {
-  std::shared_ptr<const NaturalBlend> natural;  ///< what reaching() starts from
+  std::shared_ptr<const NaturalBlend> natural = nullptr;  ///< what reaching() starts from
+  Reach reach = {};
 };
 
 /// The whole way: chains, strip or junction, faces, result. With a setback the base is the shape

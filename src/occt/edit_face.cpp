@@ -83,27 +83,60 @@ EditRegion regionOf(const TopoDS_Face& face, const spline::BsplineSurface& surfa
 
 }  // namespace
 
-Result<ShapeEdit> editFace(const ShapeIndex& index, int number, const EditOptions& options) {
+Result<FaceEdit> FaceEdit::make(const ShapeIndex& index, int number, const EditOptions& options) {
   if (const auto wrong = validate(options)) return fail(*wrong);
   if (!index.hasFace(number))
     return fail({.code = ErrorCode::FaceOutOfRange,
                  .face = number,
                  .value = static_cast<double>(index.faceCount())});
-  return guarded([&]() -> Result<ShapeEdit> {
+  return guarded([&]() -> Result<FaceEdit> {
     const TopoDS_Face& face = index.face(number);
     const ConvertedSurface old = convertSurface(face);
-    auto edit = editSurface(old.surface, options, regionOf(face, old.surface));
+    auto edit = SurfaceEdit::make(old.surface, options, regionOf(face, old.surface));
     if (!edit) {
       edit.error().face = number;
       return fail(edit.error());
     }
-    if (old.deviation > 0.0)
-      edit->report.notes.push_back(
-          {.code = analysis::NoteCode::FaceConverted, .value = old.deviation, .face = number});
-    const TopoDS_Face made = onSurface(face, edit->surface, old.deviation);
-    if (const auto error = checkShape(made)) return fail(*error);
-    return ShapeEdit{made, std::move(*edit)};
+    return FaceEdit(number, face, old.deviation, std::move(*edit));
   });
+}
+
+Result<ShapeEdit> FaceEdit::under(const energy::Guidance& guidance, bool lookUp) {
+  guidance_ = guidance;
+  return guarded([&] { return faced(edit_.under(guidance, lookUp)); });
+}
+
+Result<ShapeEdit> FaceEdit::settled(const energy::Guidance& guidance) {
+  guidance_ = guidance;
+  return guarded([&] { return faced(edit_.settled(guidance)); });
+}
+
+Result<ShapeEdit> FaceEdit::faced(Result<EditResult> edit) const {
+  if (!edit) {
+    edit.error().face = number_;
+    return fail(edit.error());
+  }
+  if (deviation_ > 0.0)
+    edit->report.notes.push_back(
+        {.code = analysis::NoteCode::FaceConverted, .value = deviation_, .face = number_});
+  const TopoDS_Face made = onSurface(face_, edit->surface, deviation_);
+  if (const auto error = checkShape(made)) return fail(*error);
+  return ShapeEdit{made, std::move(*edit)};
+}
+
+Result<ShapeEdit> editFace(const ShapeIndex& index, int number, const EditOptions& options) {
+  auto made = FaceEdit::make(index, number, options);
+  if (!made) return fail(made.error());
+  const auto live = std::make_shared<FaceEdit>(std::move(*made));
+  auto edit = live->settled(options.guidance);
+  if (edit) edit->live = live;
+  return edit;
+}
+
+Result<ShapeEdit> guiding(const ShapeEdit& before, const energy::Guidance& guidance, bool lookUp) {
+  auto edit = before.live->under(guidance, lookUp);
+  if (edit) edit->live = before.live;
+  return edit;
 }
 
 }  // namespace fairing::occt

@@ -1,16 +1,49 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <memory>
+#include <utility>
 
 #include "core/edit/edit_surface.h"
 #include "occt/shape_index.h"
 
 namespace fairing::occt {
 
+class FaceEdit;
+
 /// An edited face.
 struct ShapeEdit {
   TopoDS_Shape shape;  ///< the new face; its edges are those of the old one
   EditResult edit;
+  std::shared_ptr<FaceEdit> live = nullptr;  ///< what guiding() moves
+};
+
+/// A face whose guidance changes. By one thread at a time.
+class FaceEdit {
+ public:
+  /// Fails with FaceOutOfRange and the codes of SurfaceEdit::make().
+  [[nodiscard]] static Result<FaceEdit> make(const ShapeIndex& index,
+                                             int face,
+                                             const EditOptions& options);
+  /// The face under other guidance; looked up as `lookUp` asks. Fails with ResultInvalid and the
+  /// codes of SurfaceEdit::under().
+  [[nodiscard]] Result<ShapeEdit> under(const energy::Guidance& guidance, bool lookUp);
+  /// The same, looked up again until that stands still.
+  [[nodiscard]] Result<ShapeEdit> settled(const energy::Guidance& guidance);
+  /// What guided last.
+  [[nodiscard]] const energy::Guidance& guidance() const { return guidance_; }
+
+ private:
+  FaceEdit(int number, TopoDS_Face face, double deviation, SurfaceEdit edit)
+      : number_(number), face_(std::move(face)), deviation_(deviation), edit_(std::move(edit)) {}
+  [[nodiscard]] Result<ShapeEdit> faced(Result<EditResult> edit) const;
+
+  int number_;
+  TopoDS_Face face_;
+  double deviation_;
+  SurfaceEdit edit_;
+  energy::Guidance guidance_;
 };
 
 /// The face on an edited surface. Its trim stays: of a face that is trimmed out of its surface all
@@ -20,5 +53,11 @@ struct ShapeEdit {
 [[nodiscard]] Result<ShapeEdit> editFace(const ShapeIndex& index,
                                          int face,
                                          const EditOptions& options);
+
+/// The same edit under other guidance: one numeric factorisation, for previews. By one thread at a
+/// time. Fails as FaceEdit::under() does.
+[[nodiscard]] Result<ShapeEdit> guiding(const ShapeEdit& edit,
+                                        const energy::Guidance& guidance,
+                                        bool lookUp);
 
 }  // namespace fairing::occt

@@ -24,7 +24,8 @@ Result<ShapeFill> fillShape(const ShapeIndex& index,
   const auto shape =
       joinResult(index, picks.faces, {{*faces, *loop, fill->report.largestGap}}, mode);
   if (!shape) return fail(shape.error());
-  return ShapeFill{*shape, std::move(*fill), std::move(*loop)};
+  auto live = std::make_shared<LiveFill>(*loop, options, *fill);
+  return ShapeFill{*shape, std::move(*fill), std::move(*loop), std::move(live)};
 }
 
 }  // namespace fairing::occt

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <TopoDS_Shape.hxx>
+#include <memory>
 
 #include "core/fill/fill_hole.h"
+#include "core/fill/live_fill.h"
 #include "occt/join.h"
 #include "occt/picks.h"
 #include "occt/shape_index.h"
@@ -14,6 +16,7 @@ struct ShapeFill {
   TopoDS_Shape shape;  ///< what was asked for: faces, shell or base
   FillResult fill;
   boundary::BoundaryLoop loop;
+  std::shared_ptr<LiveFill> live = nullptr;  ///< what guiding() moves
 };
 
 /// The whole way: loop, patches, faces, result. Fails with the codes of readBoundary(), fillHole()

@@ -7,6 +7,7 @@
 #include "occt/result_mode.h"
 #include "python/bindings.h"
 #include "python/conversions.h"
+#include "python/guided_methods.h"
 #include "text/words.h"
 
 namespace py = pybind11;
@@ -46,6 +47,10 @@ ShapeBlend blend(const ShapeIndex& shape,
                  bool ring,
                  std::vector<int> cuts,
                  const std::string& energy,
+                 double lambda,
+                 double gamma,
+                 const std::optional<py::bytes>& reference,
+                 const py::object& guide,
                  std::optional<double> tolerance,
                  double angle,
                  int degree,
@@ -65,7 +70,9 @@ ShapeBlend blend(const ShapeIndex& shape,
                                .cuts = std::move(cuts),
                                .ends = std::move(ends),
                                .endFaces = std::move(endFaces)};
-  const BlendOptions options{optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles),
+  FillOptions fill = optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles);
+  fill.guidance = guidanceOf(lambda, gamma, reference, guide);
+  const BlendOptions options{std::move(fill),
                              {{fromReach, toReach}, {fromReachEnd, toReachEnd}},
                              {choice(text::departureFrom, "from_departure", fromDeparture),
                               choice(text::departureFrom, "to_departure", toDeparture)},
@@ -111,8 +118,10 @@ py::list arms(const ShapeBlend& blend) {
 }
 
 void bindBlendResult(py::module_& module) {
-  py::class_<ShapeBlend, occt::ShapeFill>(
-      module, "Blend", "A blend: its face, what was measured on it, and what it was made from.")
+  py::class_<ShapeBlend, occt::ShapeFill> bound(
+      module, "Blend", "A blend: its face, what was measured on it, and what it was made from.");
+  bindGuidance(bound);
+  bound
       .def("reaching",
            &reaching,
            py::arg("from_reach"),
@@ -175,6 +184,10 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           py::arg("ring") = false,
           py::arg("cuts") = std::vector<int>{},
           py::arg("energy") = std::string(text::word(FillOptions{}.energy)),
+          py::arg("lambda_") = 0.0,
+          py::arg("gamma") = 0.0,
+          py::arg("reference") = py::none(),
+          py::arg("guide") = py::list(),
           py::arg("tolerance") = py::none(),
           py::arg("angle") = Tolerance{}.angle,
           py::arg("degree") = 0,
@@ -201,7 +214,8 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           "one's length; pairs holds vertices of both sides that belong together. ends holds edges "
           "that join the ends of open sides, end_faces faces that the ends follow: along the edges "
           "of their border, or sliding on them. cuts holds edges from rim to rim that show where "
-          "a junction is cut. tolerance is "
+          "a junction is cut. lambda_, gamma, reference and guide are those of fill(). tolerance "
+          "is "
           "in mm (None: a millionth of the diagonal of both chains), angle in degrees, degree 3 "
           "to 9 (0: chosen from the edges). The GIL is released while solving. Raises "
           "FairingError.");

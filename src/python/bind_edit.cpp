@@ -5,6 +5,7 @@
 #include "occt/shape_bytes.h"
 #include "python/bindings.h"
 #include "python/conversions.h"
+#include "python/guided_methods.h"
 #include "text/edit_text.h"
 #include "text/words.h"
 
@@ -39,7 +40,9 @@ ShapeEdit edit(const ShapeIndex& shape,
 }  // namespace
 
 void bindEdit(py::module_& module, py::class_<ShapeIndex>& shape) {
-  py::class_<ShapeEdit>(module, "Edit", "An edited face and what was measured on it.")
+  py::class_<ShapeEdit> bound(module, "Edit", "An edited face and what was measured on it.");
+  bindGuidance(bound);
+  bound
       .def(
           "brep",
           [](const ShapeEdit& edit) {

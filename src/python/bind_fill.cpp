@@ -6,6 +6,7 @@
 #include "python/bindings.h"
 #include "python/error_to_python.h"
 #include "python/fill_mesh.h"
+#include "python/guided_methods.h"
 #include "text/report_json.h"
 #include "text/report_text.h"
 
@@ -44,9 +45,10 @@ py::tuple mesh(const ShapeFill& fill, int divisions) {
 }  // namespace
 
 void bindFill(py::module_& module) {
-  py::class_<ShapeFill>(
-      module, "Fill", "A filled hole or a blend: faces and what was measured on them.")
-      .def("brep", &brep, "The result as BREP text: faces, shell or base, as asked for.")
+  py::class_<ShapeFill> bound(
+      module, "Fill", "A filled hole or a blend: faces and what was measured on them.");
+  bindGuidance(bound);
+  bound.def("brep", &brep, "The result as BREP text: faces, shell or base, as asked for.")
       .def("mesh",
            &mesh,
            py::arg("divisions") = 32,

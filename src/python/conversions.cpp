@@ -14,8 +14,6 @@
 namespace py = pybind11;
 
 namespace fairing::python {
-namespace {
-
 Eigen::Vector3d vectorOf(const Triple& a) {
   return {a[0], a[1], a[2]};
 }
@@ -25,8 +23,6 @@ TopoDS_Shape shapeOf(const py::bytes& data) {
   const py::gil_scoped_release release;
   return valueOf(occt::shapeFromBytes(bytes));
 }
-
-}  // namespace
 
 Continuity continuityOf(const std::string& word) {
   return choice(text::continuityFrom, "continuity", word);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <pybind11/pybind11.h>
+#include <TopoDS_Shape.hxx>
 
 #include <array>
 #include <map>
@@ -54,6 +55,10 @@ T finished(Result<T> made, Progress* progress) {
                                     const Tolerance& tolerance,
                                     int degree,
                                     int maxPoles);
+
+[[nodiscard]] Eigen::Vector3d vectorOf(const Triple& a);
+/// From BREP. Raises FairingError.
+[[nodiscard]] TopoDS_Shape shapeOf(const pybind11::bytes& data);
 
 /// `guide`: a list of handles, or a dict with handles and a field (text/guide_json.h); empty =
 /// none; points are any sequences of three. `reference`: BREP of the faces that guide.

@@ -28,6 +28,8 @@ const char* name(ErrorCode code) {
       return "SpansOutOfRange";
     case ErrorCode::NormalZero:
       return "NormalZero";
+    case ErrorCode::CurveNormals:
+      return "CurveNormals";
     case ErrorCode::FieldSize:
       return "FieldSize";
     case ErrorCode::FieldManyPatches:
@@ -38,6 +40,16 @@ const char* name(ErrorCode code) {
       return "HandleOff";
     case ErrorCode::ReferenceOff:
       return "ReferenceOff";
+    case ErrorCode::MeshInvalid:
+      return "MeshInvalid";
+    case ErrorCode::MeshFlipped:
+      return "MeshFlipped";
+    case ErrorCode::GuideCurveBroken:
+      return "GuideCurveBroken";
+    case ErrorCode::GuideCurveBare:
+      return "GuideCurveBare";
+    case ErrorCode::GuideCurveAlong:
+      return "GuideCurveAlong";
     case ErrorCode::NothingToMove:
       return "NothingToMove";
     case ErrorCode::GuideInvalid:

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_fairing, module) {
   fairing::python::bindFill(module);
   fairing::python::bindFillAll(module);
   fairing::python::bindShape(module);
+  fairing::python::bindGuides(module);
 }

@@ -36,10 +36,18 @@ std::string optionSentence(const Error& e) {
 std::string guidanceSentence(const Error& e) {
   switch (e.code) {
     case ErrorCode::NormalZero:
+      if (e.detail == "curve")
+        return fmt::format("A normal of curve {} that guides is zero: give it a direction.",
+                           count(e));
       return fmt::format("Normal {} of the {} that guide{} is zero: give it a direction.",
                          count(e),
                          e.detail == "handle" ? "handles" : e.detail,
                          e.detail == "handle" ? "" : "s");
+    case ErrorCode::CurveNormals:
+      return fmt::format(
+          "Curve {} that guides has normals for {} points: give one for each, or one for all.",
+          count(e),
+          e.detail);
     case ErrorCode::FieldSize:
       return fmt::format(
           "A field of {} divisions needs a normal and a weight for every point of its grid, "
@@ -55,15 +63,31 @@ std::string guidanceSentence(const Error& e) {
       return "A field of normals for a hole must say where it lies: give its \"corners\", the "
              "points of its parameters (0, 0), (1, 0) and (0, 1).";
     case ErrorCode::HandleOff:
-      return fmt::format(
-          "Handle {}{} guides nothing: the nearest point sampled on the surface is {} away, beyond "
-          "its radius.",
-          e.detail,
-          at(e),
-          length(e.value));
+      return fmt::format("{}{} guides nothing: the surface is {} beside it, beyond its radius.",
+                         e.detail,
+                         at(e),
+                         length(e.value));
     case ErrorCode::ReferenceOff:
       return "The reference covers nothing of the surface it is to guide: choose faces above or "
              "below it.";
+    case ErrorCode::GuideCurveBroken:
+      return "The edges of a feature curve do not make one curve: pick edges that go on from one "
+             "another.";
+    case ErrorCode::GuideCurveBare:
+      return "A feature curve has no normals: pick faces beside it, or give a direction.";
+    case ErrorCode::GuideCurveAlong:
+      return fmt::format(
+          "The direction of a feature curve runs along the curve{}: give one across it.", at(e));
+    case ErrorCode::MeshInvalid:
+      return "The mesh that is to guide has no triangles, or some whose corners are not there: "
+             "give "
+             "a whole mesh.";
+    case ErrorCode::MeshFlipped:
+      return fmt::format(
+          "The mesh that is to guide is not turned one way: at {} edges, first{}, neighbouring "
+          "triangles face opposite sides. Harmonise its normals.",
+          count(e),
+          at(e));
     default:
       return fmt::format(
           "To keep {} at the border{} all control points have to stay: ask for a higher degree or "
@@ -249,11 +273,17 @@ std::string sentence(const Error& error) {
     case ErrorCode::SpansOutOfRange:
       return optionSentence(error);
     case ErrorCode::NormalZero:
+    case ErrorCode::CurveNormals:
     case ErrorCode::FieldSize:
     case ErrorCode::FieldManyPatches:
     case ErrorCode::FieldUnplaced:
     case ErrorCode::HandleOff:
     case ErrorCode::ReferenceOff:
+    case ErrorCode::MeshInvalid:
+    case ErrorCode::MeshFlipped:
+    case ErrorCode::GuideCurveBroken:
+    case ErrorCode::GuideCurveBare:
+    case ErrorCode::GuideCurveAlong:
     case ErrorCode::NothingToMove:
       return guidanceSentence(error);
     case ErrorCode::NothingPicked:

@@ -57,6 +57,38 @@ energy::NormalHandle handleFrom(const json& entry, std::size_t number) {
   }
 }
 
+std::vector<Eigen::Vector3d> vectorsFrom(const json& list) {
+  std::vector<Eigen::Vector3d> vectors;
+  for (const json& entry : list) vectors.push_back(vectorFrom(entry));
+  return vectors;
+}
+
+energy::NormalCurve curveFrom(const json& entry, std::size_t number) {
+  const std::string which = fmt::format("curve {} is wrong, ", number);
+  try {
+    energy::NormalCurve curve{.points = vectorsFrom(entry.at("points")),
+                              .normals = vectorsFrom(entry.at("normals")),
+                              .weight = entry.value("weight", 1.0),
+                              .radius = entry.at("radius").get<double>()};
+    if (curve.normals.size() == 1) curve.normals.resize(curve.points.size(), curve.normals[0]);
+    check(!curve.points.empty() && curve.normals.size() == curve.points.size(),
+          which + "it needs a normal for each of its points, or one for all");
+    for (std::size_t k = 0; k < curve.points.size(); ++k) {
+      check(curve.points[k].allFinite() && curve.normals[k].allFinite(),
+            which + "a coordinate is not finite");
+      check(curve.normals[k].norm() > 0.0, which + "a normal of it is zero");
+    }
+    check(isWeight(curve.weight), which + "its weight must be zero or more");
+    check(std::isfinite(curve.radius) && curve.radius > 0.0,
+          which + "its radius must be above zero");
+    return curve;
+  } catch (const json::exception&) {
+    throw Invalid(which +
+                  "it needs \"points\" and \"normals\" of three numbers each and a "
+                  "\"radius\"");
+  }
+}
+
 /// The field's normals, one a row; `count` of them.
 spline::Poles normalsFrom(const json& field, Eigen::Index count) {
   const json& list = field.at("normals");
@@ -136,13 +168,20 @@ void addField(const json& field, energy::Guidance& guidance) {
 energy::Guidance parsed(const json& guide) {
   const bool hasField = guide.is_object() && guide.contains("field");
   const bool hasHandles = guide.is_array() ? !guide.empty() : guide.contains("normals");
-  check(hasField || hasHandles, "it has no list called \"normals\" and no \"field\"");
+  const bool hasCurves = guide.is_object() && guide.contains("curves");
+  check(hasField || hasHandles || hasCurves,
+        "it has no list called \"normals\" or \"curves\" and no \"field\"");
   energy::Guidance guidance;
   if (hasHandles) {
     const json& handles = guide.is_array() ? guide : guide["normals"];
     check(handles.is_array(), "it has no list called \"normals\"");
     for (const json& entry : handles)
       guidance.handles.push_back(handleFrom(entry, guidance.handles.size() + 1));
+  }
+  if (hasCurves) {
+    check(guide["curves"].is_array(), "its \"curves\" are no list");
+    for (const json& entry : guide["curves"])
+      guidance.curves.push_back(curveFrom(entry, guidance.curves.size() + 1));
   }
   if (hasField) addField(guide["field"], guidance);
   return guidance;

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/analysis/nearest_patch.h"
 #include "core/fill/fill_hole.h"
+#include "core/spline/nearest_patch.h"
 #include "support/many_sided_loops.h"
 
 namespace fairing {
@@ -51,7 +51,7 @@ double difference(const Patches& a, const Patches& b, const Affine3d& motion) {
     for (int i = 0; i <= 6; ++i)
       for (int j = 0; j <= 6; ++j) {
         const Vector3d point = patch.evaluate(patch.u.last() * i / 6.0, patch.v.last() * j / 6.0);
-        worst = std::max(worst, analysis::nearestPatch(b, motion * point).foot.distance);
+        worst = std::max(worst, spline::NearestPatch(b).to(motion * point).foot.distance);
       }
   return worst;
 }

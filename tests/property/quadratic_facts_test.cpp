@@ -32,7 +32,7 @@ BsplineSurface minimiser(const BsplineSurface& border,
       holdingBorder(border, assembly::assembleEnergy(layout, terms), rows);
   if (guidance.acts()) {
     const auto guided = assembly::assembleGuidance(layout, guidance, {border});
-    program.coupled = guided.coupled;
+    program.coupled = guided.coupled();
     program.load = guided.load;
   }
   const auto solution = solver::solve(program);

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/analysis/closest_point.h"
 #include "core/fill/fill_hole.h"
+#include "core/spline/closest_point.h"
 #include "support/known_loops.h"
 
 namespace fairing {
@@ -49,10 +49,10 @@ double difference(const spline::BsplineSurface& a,
                   const spline::BsplineSurface& b,
                   const Affine3d& motion = Affine3d::Identity()) {
   const auto foot = [](const spline::BsplineSurface& face, const Vector3d& near) {
-    return analysis::closestPoint(face,
-                                  near,
-                                  0.5 * (face.u.first() + face.u.last()),
-                                  0.5 * (face.v.first() + face.v.last()))
+    return spline::closestPoint(face,
+                                near,
+                                0.5 * (face.u.first() + face.u.last()),
+                                0.5 * (face.v.first() + face.v.last()))
         .jet.point;
   };
   double worst = 0.0;

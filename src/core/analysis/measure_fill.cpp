@@ -3,9 +3,9 @@
 
 #include <Eigen/Geometry>
 
-#include "core/analysis/closest_point.h"
 #include "core/analysis/curvature.h"
 #include "core/base/assert.h"
+#include "core/spline/closest_point.h"
 
 namespace fairing::analysis {
 namespace {
@@ -43,7 +43,7 @@ FillReport measureFill(const boundary::BoundaryLoop& loop,
     const SideTrace& trace = traceOf(traces, side, p.t);
     const Eigen::Vector2d guess = trace.at(p.t);
     const spline::BsplineSurface& patch = patches[static_cast<std::size_t>(trace.patch)];
-    const SurfaceFoot foot = closestPoint(patch, p.point, guess[0], guess[1]);
+    const spline::SurfaceFoot foot = spline::closestPoint(patch, p.point, guess[0], guess[1]);
     const Eigen::Vector3d normal = foot.jet.normalVector().normalized();
     return MeasuredFoot{foot.distance,
                         normal,

@@ -4,9 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <optional>
+#include <string>
 
 #include "core/energy/guidance_samples.h"
 
@@ -28,9 +27,10 @@ void forEachSample(const Guidance& guidance,
                    const Patches& patches,
                    const OnFace& onFace,
                    const Visit& visit) {
+  const energy::NormalFeet feet(guidance, patches);
   for (std::size_t p = 0; p < patches.size(); ++p)
     for (const WeightedSample& s :
-         energy::guidanceSamples(guidance, patches[p].u, patches[p].v, patches[p]))
+         energy::guidanceSamples(guidance, feet, patches[p].u, patches[p].v, patches[p]))
       if (!onFace || onFace(p, s.u, s.v)) visit(patches[p], s);
 }
 
@@ -65,60 +65,40 @@ class Sum {
   double angles_ = 0.0, angleWeight_ = 0.0, distances_ = 0.0, distanceWeight_ = 0.0;
 };
 
-/// Share of the patches' parameters at which the reference knows a point or a normal.
-double coverage(const Guidance& unit, const Patches& patches, const OnFace& onFace) {
-  Guidance only;
-  only.lambda = only.gamma = 1.0;
-  only.reference = unit.reference;
-  double all = 0.0, covered = 0.0;
-  forEachSample(only, patches, onFace, [&](const auto&, const WeightedSample& s) {
-    all += s.weight;
-    if (s.guide.lambda > 0.0 || s.guide.gamma > 0.0) covered += s.weight;
-  });
-  return all > 0.0 ? covered / all : 0.0;
-}
-
-/// How far a handle is from the nearest sample, if it reaches none.
-std::optional<double> missedBy(const energy::NormalHandle& handle,
-                               const Patches& patches,
-                               const OnFace& onFace) {
-  Guidance everywhere;  // a reference is looked up where handles are
-  everywhere.lambda = 1.0;
-  double nearest = std::numeric_limits<double>::infinity();
-  everywhere.reference = [&](const Vector3d& here) {
-    nearest = std::min(nearest, (here - handle.point).norm());
-    return energy::GuidanceSample{};
-  };
-  forEachSample(everywhere, patches, onFace, [](const auto&, const auto&) {});
-  return nearest < handle.radius ? std::nullopt : std::optional(nearest);
-}
-
 }  // namespace
 
 Result<GuidanceReport> measureGuidance(const Guidance& guidance,
                                        const Patches& patches,
                                        const OnFace& onFace) {
-  for (std::size_t k = 0; k < guidance.handles.size(); ++k)
-    if (const auto distance = missedBy(guidance.handles[k], patches, onFace))
-      return fail({.code = ErrorCode::HandleOff,
-                   .where = guidance.handles[k].point,
-                   .value = *distance,
-                   .detail = std::to_string(k + 1)});
-  Guidance unit = guidance;
-  unit.lambda = unit.gamma = 1.0;
-  const double covered = guidance.reference ? coverage(unit, patches, onFace) : 1.0;
-  if (!(covered > 0.0)) return fail({.code = ErrorCode::ReferenceOff});
   Sum sum;
-  forEachSample(unit, patches, onFace, [&](const auto& patch, const WeightedSample& s) {
-    const spline::SurfaceJet jet = patch.jet(s.u, s.v);
-    const Vector3d normal = jet.normalVector();
-    if (s.guide.lambda > 0.0 && s.guide.normal.norm() > 0.0 && normal.norm() > 0.0)
-      sum.addAngle(jet.point, angleBetween(normal, s.guide.normal), s.weight * s.guide.lambda);
-    if (s.guide.gamma > 0.0)
-      sum.addDistance((jet.point - s.guide.point).norm(), s.weight * s.guide.gamma);
-  });
+  double referred = 0.0, covered = 0.0;
+  std::vector<Vector3d> places;  // where handles and curves are looked up
+  forEachSample(energy::weighingOne(guidance),
+                patches,
+                onFace,
+                [&](const auto& patch, const WeightedSample& s) {
+                  const spline::SurfaceJet jet = patch.jet(s.u, s.v);
+                  const Vector3d normal = jet.normalVector();
+                  const bool speaks = s.guide.lambda > 0.0 || s.guide.gamma > 0.0;
+                  if (s.kind == energy::GuideKind::Normals) places.push_back(jet.point);
+                  if (s.kind == energy::GuideKind::Reference) {
+                    referred += s.weight;
+                    covered += speaks ? s.weight : 0.0;
+                  }
+                  if (s.guide.lambda > 0.0 && s.guide.normal.norm() > 0.0 && normal.norm() > 0.0)
+                    sum.addAngle(
+                        jet.point, angleBetween(normal, s.guide.normal), s.weight * s.guide.lambda);
+                  if (s.guide.gamma > 0.0)
+                    sum.addDistance((jet.point - s.guide.point).norm(), s.weight * s.guide.gamma);
+                });
+  if (const auto idle = energy::NormalFeet(guidance, patches).idle(places))
+    return fail({.code = ErrorCode::HandleOff,
+                 .where = idle->point,
+                 .value = idle->distance,
+                 .detail = (idle->isCurve ? "Curve " : "Handle ") + std::to_string(idle->number)});
+  if (referred > 0.0 && !(covered > 0.0)) return fail({.code = ErrorCode::ReferenceOff});
   GuidanceReport report = sum.finish();
-  report.covered = covered;
+  report.covered = referred > 0.0 ? covered / referred : 1.0;
   return report;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/assembly/assemble_guidance.h"
 
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -8,64 +9,124 @@
 #include "core/energy/guidance_samples.h"
 #include "core/spline/bspline_basis.h"
 
+// A sample adds squares of linear forms in the coordinates of the points that its span touches:
+//   w lambda (R_u . N)^2 + w lambda (R_v . N)^2 + w gamma |R|^2 - ...
+// The forms of a span are gathered as columns of a matrix A, and A A' is added by the dozen.
+
 namespace fairing::assembly {
 namespace {
 
-using Eigen::Matrix3d;
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// What the samples of one span of one patch add up to, in the coordinates of the poles it touches.
+constexpr Index kGathered = 64;
+
+// The sum of a a' over many columns a.
+class Squares {
+ public:
+  explicit Squares(Index size) : sum_(MatrixXd::Zero(size, size)) {}
+
+  // A new column, to be filled before the next one is asked for.
+  Eigen::Ref<VectorXd> column() {
+    if (gathered_.size() == 0) gathered_.resize(sum_.rows(), kGathered);
+    if (count_ == kGathered) flush();
+    return gathered_.col(count_++);
+  }
+  // Its lower triangle.
+  const MatrixXd& sum() {
+    flush();
+    return sum_;
+  }
+
+ private:
+  void flush() {
+    if (count_ > 0) sum_.selfadjointView<Eigen::Lower>().rankUpdate(gathered_.leftCols(count_));
+    count_ = 0;
+  }
+
+  MatrixXd sum_, gathered_;
+  Index count_ = 0;
+};
+
+// What the samples of one span of one patch add up to.
 struct SpanSum {
   std::vector<int> points;
-  MatrixXd coupled;  // 3 #points x 3 #points
+  Squares normals{0}, positions{0};
 };
 
 // Adds samples, span by span: there may be far more of them than spans.
 class Accumulator {
  public:
-  Accumulator(const layout::PatchLayout& layout)
-      : size_(3 * layout.pointCount), load_(VectorXd::Zero(3 * layout.pointCount)) {}
+  explicit Accumulator(const layout::PatchLayout& layout)
+      : count_(layout.pointCount), load_(VectorXd::Zero(3 * layout.pointCount)) {}
 
   void add(std::size_t number, const layout::LayoutPatch& patch, const energy::WeightedSample& s) {
+    const double lambda = s.weight * s.guide.lambda, gamma = s.weight * s.guide.gamma;
+    if (lambda == 0.0 && gamma == 0.0) return;
     const spline::BasisRow bu = spline::basisRow(patch.u, s.u, 1),
                            bv = spline::basisRow(patch.v, s.v, 1);
     SpanSum& span = spanAt(number, patch, bu.first, bv.first);
-    const auto count = static_cast<Eigen::Index>(span.points.size());
-    VectorXd value(count), du(count), dv(count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const Eigen::Index i = k / (patch.v.degree() + 1), j = k % (patch.v.degree() + 1);
-      value[k] = bu.values(0, i) * bv.values(0, j);
-      du[k] = bu.values(1, i) * bv.values(0, j);
-      dv[k] = bu.values(0, i) * bv.values(1, j);
+    if (lambda > 0.0) {
+      const Eigen::Vector3d normal = std::sqrt(lambda) * s.guide.normal;
+      fill(span.normals.column(), bu.values.row(1), bv.values.row(0), normal);
+      fill(span.normals.column(), bu.values.row(0), bv.values.row(1), normal);
     }
-    const double lambda = s.weight * s.guide.lambda, gamma = s.weight * s.guide.gamma;
-    const MatrixXd tangential = lambda * (du * du.transpose() + dv * dv.transpose());
-    const MatrixXd positional = gamma * (value * value.transpose());
-    const Matrix3d nn = s.guide.normal * s.guide.normal.transpose();
-    for (Eigen::Index a = 0; a < count; ++a) {
-      load_.segment<3>(3 * span.points[static_cast<std::size_t>(a)]) +=
-          gamma * value[a] * s.guide.point;
-      for (Eigen::Index b = 0; b < count; ++b)
-        span.coupled.block<3, 3>(3 * a, 3 * b) +=
-            tangential(a, b) * nn + positional(a, b) * Matrix3d::Identity();
+    if (gamma > 0.0) {
+      auto column = span.positions.column();
+      fill(column, bu.values.row(0), bv.values.row(0), Eigen::Matrix<double, 1, 1>::Ones());
+      for (Index k = 0; k < column.size(); ++k)
+        load_.segment<3>(3 * span.points[static_cast<std::size_t>(k)]) +=
+            gamma * column[k] * s.guide.point;
+      column *= std::sqrt(gamma);
+      constant_ += 0.5 * gamma * s.guide.point.squaredNorm();
     }
-    constant_ += 0.5 * gamma * s.guide.point.squaredNorm();
   }
 
-  [[nodiscard]] GuidanceSystem finish() const {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const auto& [place, span] : spans_)
-      for (Eigen::Index r = 0; r < span.coupled.rows(); ++r)
-        for (Eigen::Index c = 0; c < span.coupled.cols(); ++c)
-          if (span.coupled(r, c) != 0.0)
-            entries.emplace_back(coordinate(span, r), coordinate(span, c), span.coupled(r, c));
-    GuidanceSystem system{solver::Sparse(size_, size_), load_, constant_};
-    system.coupled.setFromTriplets(entries.begin(), entries.end());
+  [[nodiscard]] GuidanceSystem finish() {
+    std::vector<Eigen::Triplet<double>> normals, positions;
+    for (auto& [place, span] : spans_) {
+      spread<3>(span.points, span.normals.sum(), normals);
+      spread<1>(span.points, span.positions.sum(), positions);
+    }
+    GuidanceSystem system{solver::Sparse(3 * count_, 3 * count_),
+                          solver::Sparse(count_, count_),
+                          std::move(load_),
+                          constant_};
+    system.normals.setFromTriplets(normals.begin(), normals.end());
+    system.points.setFromTriplets(positions.begin(), positions.end());
     return system;
   }
 
  private:
+  // The tensor product of two rows of a basis and a vector.
+  template <class Vector>
+  static void fill(Eigen::Ref<VectorXd> column,
+                   const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& alongU,
+                   const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& alongV,
+                   const Vector& vector) {
+    Index at = 0;
+    for (Index i = 0; i < alongU.size(); ++i)
+      for (Index j = 0; j < alongV.size(); ++j, at += vector.size())
+        column.segment<Vector::RowsAtCompileTime>(at) = alongU[i] * alongV[j] * vector;
+  }
+
+  // Both triangles of the sum of a span.
+  template <int width>
+  static void spread(const std::vector<int>& points,
+                     const MatrixXd& lower,
+                     std::vector<Eigen::Triplet<double>>& entries) {
+    const auto place = [&](Index k) {
+      return width * points[static_cast<std::size_t>(k / width)] + static_cast<int>(k % width);
+    };
+    for (Index c = 0; c < lower.cols(); ++c)
+      for (Index r = c; r < lower.rows(); ++r) {
+        if (lower(r, c) == 0.0) continue;
+        entries.emplace_back(place(r), place(c), lower(r, c));
+        if (r != c) entries.emplace_back(place(c), place(r), lower(r, c));
+      }
+  }
+
   SpanSum& spanAt(std::size_t number, const layout::LayoutPatch& patch, int firstU, int firstV) {
     const auto [found, isNew] = spans_.try_emplace({number, firstU, firstV});
     SpanSum& span = found->second;
@@ -75,15 +136,13 @@ class Accumulator {
         span.points.push_back(
             patch
                 .points[static_cast<std::size_t>((firstU + i) * patch.v.poleCount() + firstV + j)]);
-    const auto size = static_cast<Eigen::Index>(3 * span.points.size());
-    span.coupled = MatrixXd::Zero(size, size);
+    const auto size = static_cast<Index>(span.points.size());
+    span.normals = Squares(3 * size);
+    span.positions = Squares(size);
     return span;
   }
-  static int coordinate(const SpanSum& span, Eigen::Index row) {
-    return 3 * span.points[static_cast<std::size_t>(row / 3)] + static_cast<int>(row % 3);
-  }
 
-  Eigen::Index size_;
+  Index count_;
   std::map<std::tuple<std::size_t, int, int>, SpanSum> spans_;
   VectorXd load_;
   double constant_ = 0.0;
@@ -91,14 +150,19 @@ class Accumulator {
 
 }  // namespace
 
+solver::Sparse GuidanceSystem::coupled() const {
+  return normals + solver::threefold(points);
+}
+
 GuidanceSystem assembleGuidance(const layout::PatchLayout& layout,
                                 const energy::Guidance& guidance,
                                 const std::vector<spline::BsplineSurface>& current) {
+  const energy::NormalFeet feet(guidance, current);
   Accumulator sum(layout);
   for (std::size_t p = 0; p < layout.patches.size(); ++p) {
     const layout::LayoutPatch& patch = layout.patches[p];
     for (const energy::WeightedSample& s :
-         energy::guidanceSamples(guidance, patch.u, patch.v, current[p]))
+         energy::guidanceSamples(guidance, feet, patch.u, patch.v, current[p]))
       sum.add(p, patch, s);
   }
   return sum.finish();

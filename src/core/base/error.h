@@ -19,11 +19,17 @@ enum class ErrorCode {
   SpansOutOfRange,       ///< value = the number of spans given
   // guidance
   NormalZero,        ///< detail = "handle" or "field", value = number of the normal
+  CurveNormals,      ///< value = number of the curve, detail = "2 of 5": its normals and points
   FieldSize,         ///< detail = the grid's divisions, "8 x 8", value = number of normals given
   FieldManyPatches,  ///< value = number of patches: a field lies on one patch only
   FieldUnplaced,     ///< a field for a hole does not say where its corners lie
-  HandleOff,         ///< where, detail = the handle's number, value = mm to the nearest sample
+  HandleOff,         ///< where, detail = "Handle 2" or "Curve 1", value = mm it would have to reach
   ReferenceOff,      ///< the reference covers nothing of the patch
+  MeshInvalid,       ///< a mesh without triangles, or with corners that are not there
+  MeshFlipped,       ///< where, value = edges whose two triangles are turned against each other
+  GuideCurveBroken,  ///< the edges of a feature curve make no single curve
+  GuideCurveBare,    ///< a feature curve with neither faces nor a direction
+  GuideCurveAlong,   ///< where: its direction runs along the curve
   NothingToMove,     ///< face, detail = "G0", "G1" or "G2": all control points are held
   // picks
   NothingPicked,          ///< no edge given and no loop of free edges found

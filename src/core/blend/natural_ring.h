@@ -22,9 +22,13 @@ class NaturalRing final : public NaturalBlend {
   /// The first chain reaches as reach.start[0] says, the others as reach.start[1]. Refined until it
   /// is within tolerance or the limits of the options are reached. Fails with ReachVariesRound.
   [[nodiscard]] Result<FillResult> reaching(const Reach& reach) const override;
+  [[nodiscard]] std::shared_ptr<const NaturalBlend> guided(energy::Guidance guidance,
+                                                           FillResult result) const override {
+    return NaturalBlend::guided(*this, std::move(guidance), std::move(result));
+  }
 
  private:
-  NaturalRing(Span span, FillOptions options, FillResult result)
+  NaturalRing(std::shared_ptr<const Span> span, FillOptions options, FillResult result)
       : NaturalBlend(std::move(span), std::move(options), std::move(result)) {}
 
   [[nodiscard]] HeldPoints drawnRows(const layout::PatchLayout& layout,

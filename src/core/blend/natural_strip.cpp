@@ -51,41 +51,43 @@ Result<NaturalStrip> NaturalStrip::make(const boundary::ChainPair& pair,
     asked.sides.sides[k].departure = options.departure[chain];
     asked.sides.sides[k].leaving = options.leaving[chain];
   }
-  auto span =
+  auto made =
       makeSpan(asked.sides, options.fill.tolerance, [&](const boundary::BoundaryLoop& target) {
         boundary::ChainPair pairOfTarget = asked;
         pairOfTarget.sides = target;
         return layout::stripPlan(pairOfTarget);
       });
-  if (!span) return fail(span.error());
+  if (!made) return fail(made.error());
+  const auto span = std::make_shared<const Span>(std::move(*made));
   auto result = spanPlan(*span, options.fill, progress);
   if (!result) return fail(result.error());
   result->matches = span->plan.matches;
-  NaturalStrip strip(std::move(*span), options.fill, std::move(*result));
+  NaturalStrip strip(span, options.fill, std::move(*result));
   if (const auto error = strip.turn()) return fail(*error);
   return strip;
 }
 
 std::optional<Error> NaturalStrip::turn() {
-  const auto layout = layoutOf(span_.plan, result_.patches);
-  const StripRows rows{span_.plan.cut.loop, layout, result_.patches};
+  const auto layout = layoutOf(span_->plan, result_.patches);
+  const StripRows rows{span_->plan.cut.loop, layout, result_.patches};
   const std::array<bool, 2> amiss = leavesAmiss(rows);
   if (!amiss[0] && !amiss[1]) return std::nullopt;
   const auto held = turnedRows(rows, amiss);
   if (!held) return held.error();
-  auto turned = spanAgain(span_, result_.patches, *held, options_);
+  auto turned = spanAgain(*span_, result_.unguided, *held, options_);
   if (!turned) return turned.error();
   turned->matches = result_.matches;
+  turned->span = span_;
   result_ = std::move(*turned);
   return std::nullopt;
 }
 
 Result<FillResult> NaturalStrip::reaching(const Reach& reach) const {
   if (reach.isNatural()) return result_;
-  const Patches patches = fineEnough(span_.plan, result_.patches);
-  const auto layout = layoutOf(span_.plan, patches);
-  const auto held = scaledRows({span_.plan.cut.loop, layout, patches}, reach);
-  auto result = spanAgain(span_, patches, held, options_);
+  const Patches patches = fineEnough(span_->plan, result_.patches);
+  const auto layout = layoutOf(span_->plan, patches);
+  const auto held = scaledRows({span_->plan.cut.loop, layout, patches}, reach);
+  auto result = spanAgain(*span_, fineEnough(span_->plan, result_.unguided), held, options_);
   if (result) result->matches = result_.matches;
   return result;
 }

@@ -20,9 +20,13 @@ class NaturalStrip final : public NaturalBlend {
                                                  Progress* progress = nullptr);
 
   [[nodiscard]] Result<FillResult> reaching(const Reach& reach) const override;
+  [[nodiscard]] std::shared_ptr<const NaturalBlend> guided(energy::Guidance guidance,
+                                                           FillResult result) const override {
+    return NaturalBlend::guided(*this, std::move(guidance), std::move(result));
+  }
 
  private:
-  NaturalStrip(Span span, FillOptions options, FillResult result)
+  NaturalStrip(std::shared_ptr<const Span> span, FillOptions options, FillResult result)
       : NaturalBlend(std::move(span), std::move(options), std::move(result)) {}
 
   /// The natural strip with the sides that it leaves amiss turned.

@@ -31,6 +31,9 @@ using spline::KnotVector;
 constexpr int kLeastDegree = 3, kLargestDegree = 9, kMostSpans = 64;
 // A domain longer than this in proportion would be all one direction's energy.
 constexpr double kLongest = 100.0;
+// Times that guidance is looked up again, and the move below which it is not, of the diagonal.
+constexpr int kLookUps = 5;
+constexpr double kStill = 1e-4;
 constexpr int kBorderSamples = 201, kMoveSamples = 65;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
@@ -85,7 +88,7 @@ layout::PatchLayout layoutOf(const BsplineSurface& surface) {
 
 /// What is not given is the old surface.
 Guidance completed(const Guidance& given, const BsplineSurface& old) {
-  const bool normals = given.hasField() || !given.handles.empty() || given.reference;
+  const bool normals = given.hasField() || given.hasNormals() || given.reference;
   const bool points = given.reference || (given.continuous && given.continuous->reference) ||
                       (given.discrete && given.discrete->gamma.any());
   Guidance all = given;
@@ -121,12 +124,15 @@ std::vector<char> heldPoints(const BsplineSurface& surface, int rows, const Edit
   return held;
 }
 
-double extendedEnergy(const solver::Sparse& stiffness,
-                      const assembly::GuidanceSystem& guided,
+double extendedEnergy(const solver::QuadraticProgram& program,
+                      const assembly::GuidanceSystem& guide,
+                      const Guidance& guidance,
                       const spline::Poles& poles) {
   const Eigen::Map<const Eigen::VectorXd> x(poles.data(), poles.size());
-  return 0.5 * poles.cwiseProduct(stiffness * poles).sum() + 0.5 * x.dot(guided.coupled * x) -
-         guided.load.dot(x) + guided.constant;
+  const double apart =
+      0.5 * poles.cwiseProduct(guide.points * poles).sum() - guide.load.dot(x) + guide.constant;
+  return solver::energy(program, poles) + 0.5 * guidance.lambda * x.dot(guide.normals * x) +
+         guidance.gamma * apart;
 }
 
 std::vector<Vector2d> wholeBorder(const BsplineSurface& surface) {
@@ -205,47 +211,86 @@ std::optional<Error> validate(const EditOptions& options) {
   return energy::validate(options.guidance);
 }
 
+SurfaceEdit::SurfaceEdit(BsplineSurface old, EditOptions options, EditRegion region)
+    : old_(std::move(old)),
+      start_(enriched(old_, options.degree, options.spans)),
+      scaled_(overItsProportions(start_)),
+      options_(std::move(options)),
+      region_(std::move(region)),
+      layout_(layoutOf(scaled_)),
+      latest_(scaled_) {
+  program_.stiffness = assembly::assembleEnergy(layout_, energy::energyTerms(options_.energy));
+  program_.fixed = heldPoints(start_, rowsOf(keptOf(options_)), region_);
+  program_.values = scaled_.poles;
+}
+
+Result<SurfaceEdit> SurfaceEdit::make(const BsplineSurface& old,
+                                      const EditOptions& options,
+                                      const EditRegion& region) {
+  if (const auto wrong = validate(options)) return fail(*wrong);
+  SurfaceEdit edit(old, options, region);
+  if (edit.moved() == 0)
+    return fail({.code = ErrorCode::NothingToMove, .detail = nameOf(keptOf(options))});
+  edit.guided_.emplace(edit.program_);
+  return edit;
+}
+
+int SurfaceEdit::moved() const {
+  return static_cast<int>(std::count(program_.fixed.begin(), program_.fixed.end(), 0));
+}
+
+Result<void> SurfaceEdit::lookUp(const Guidance& guidance) {
+  guide_ = assembly::assembleGuidance(layout_, energy::weighingOne(guidance), {latest_});
+  guided_->setGuide(guide_.normals, guide_.points, guide_.load);
+  const auto before =
+      analysis::measureGuidance(guidance, {scaled_}, onFace(scaled_, old_, region_));
+  if (!before) return fail(before.error());
+  before_ = *before;
+  return {};
+}
+
+Result<EditResult> SurfaceEdit::under(const Guidance& given, bool lookUpAgain) {
+  if (const auto wrong = energy::validate(given)) return fail(*wrong);
+  const Guidance guidance = completed(given, old_);
+  if (lookUpAgain || !before_)
+    if (const auto found = lookUp(guidance); !found) return fail(found.error());
+  const auto solution = guided_->solve(guidance.lambda, guidance.gamma);
+  if (!solution) return fail(solution.error());
+  latest_.poles = solution->points;
+  const auto after = analysis::measureGuidance(guidance, {latest_}, onFace(scaled_, old_, region_));
+  if (!after) return fail(after.error());
+  EditResult result{{start_.u, start_.v, solution->points}, {}};
+  EditReport& report = result.report;
+  report.before = *before_;
+  report.after = *after;
+  report.energyBefore = extendedEnergy(program_, guide_, guidance, scaled_.poles);
+  report.energy = extendedEnergy(program_, guide_, guidance, solution->points);
+  report.diagonal = (old_.poles.colwise().maxCoeff() - old_.poles.colwise().minCoeff()).norm();
+  report.kept = keptOf(options_);
+  report.poles = layout_.pointCount;
+  report.moved = moved();
+  measureMoves(old_, result.surface, region_.contains ? region_.border : wholeBorder(old_), report);
+  if (const auto note = analysis::shortReference(*after)) report.notes.push_back(*note);
+  return result;
+}
+
 Result<EditResult> editSurface(const BsplineSurface& old,
                                const EditOptions& options,
                                const EditRegion& region) {
-  if (const auto wrong = validate(options)) return fail(*wrong);
-  const BsplineSurface start = enriched(old, options.degree, options.spans);
-  const BsplineSurface scaled = overItsProportions(start);
-  const Guidance guidance = completed(options.guidance, old);
-  const analysis::OnFace on = onFace(scaled, old, region);
-  const auto before = analysis::measureGuidance(guidance, {scaled}, on);
-  if (!before) return fail(before.error());
+  auto edit = SurfaceEdit::make(old, options, region);
+  if (!edit) return fail(edit.error());
+  return edit->settled(options.guidance);
+}
 
-  const layout::PatchLayout layout = layoutOf(scaled);
-  const auto guided = assembly::assembleGuidance(layout, guidance, {scaled});
-  EditReport report;
-  report.kept = keptOf(options);
-  solver::QuadraticProgram program;
-  program.stiffness = assembly::assembleEnergy(layout, energy::energyTerms(options.energy));
-  program.coupled = guided.coupled;
-  program.load = guided.load;
-  program.fixed = heldPoints(start, rowsOf(report.kept), region);
-  program.values = scaled.poles;
-  report.poles = layout.pointCount;
-  report.moved = static_cast<int>(std::count(program.fixed.begin(), program.fixed.end(), 0));
-  if (report.moved == 0)
-    return fail({.code = ErrorCode::NothingToMove, .detail = nameOf(report.kept)});
-  const auto solution = solver::solve(program);
-  if (!solution) return fail(solution.error());
-
-  EditResult result{{start.u, start.v, solution->points}, std::move(report)};
-  const BsplineSurface now{scaled.u, scaled.v, solution->points};
-  const auto after = analysis::measureGuidance(guidance, {now}, on);
-  if (!after) return fail(after.error());
-  result.report.before = *before;
-  result.report.after = *after;
-  result.report.energyBefore = extendedEnergy(program.stiffness, guided, scaled.poles);
-  result.report.energy = extendedEnergy(program.stiffness, guided, solution->points);
-  result.report.diagonal = (old.poles.colwise().maxCoeff() - old.poles.colwise().minCoeff()).norm();
-  measureMoves(
-      old, result.surface, region.contains ? region.border : wholeBorder(old), result.report);
-  if (const auto note = analysis::shortReference(*after)) result.report.notes.push_back(*note);
-  return result;
+Result<EditResult> SurfaceEdit::settled(const Guidance& guidance) {
+  const bool looksUp = guidance.isDrawn();
+  for (int k = 0;; ++k) {
+    const spline::Poles before = latest_.poles;
+    auto result = under(guidance);
+    if (!result || !looksUp || k == kLookUps) return result;
+    const double moved = (latest_.poles - before).rowwise().norm().maxCoeff();
+    if (moved < kStill * result->report.diagonal) return result;
+  }
 }
 
 }  // namespace fairing

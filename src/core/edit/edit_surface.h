@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "core/analysis/continuity_report.h"
+#include "core/assembly/assemble_guidance.h"
 #include "core/base/result.h"
 #include "core/boundary/continuity.h"
 #include "core/energy/energy_kind.h"
 #include "core/energy/guidance.h"
+#include "core/layout/patch_layout.h"
+#include "core/solver/guided_program.h"
 #include "core/spline/bspline_surface.h"
 
 namespace fairing {
@@ -56,10 +59,41 @@ struct EditResult {
   EditReport report;
 };
 
+/// A surface whose guidance changes: a slider moves, a handle is dragged. By one thread at a time.
+class SurfaceEdit {
+ public:
+  /// Fails with the codes of validate() and NothingToMove.
+  [[nodiscard]] static Result<SurfaceEdit> make(const spline::BsplineSurface& old,
+                                                const EditOptions& options,
+                                                const EditRegion& region = {});
+  /// The surface under other guidance; unless `lookUp` asks for it, handles, curves and references
+  /// stay where they were looked up before. Fails with the codes of energy::validate(), HandleOff,
+  /// ReferenceOff and those of solver::GuidedProgram::solve().
+  [[nodiscard]] Result<EditResult> under(const energy::Guidance& guidance, bool lookUp = true);
+  /// The same, looked up again until that stands still.
+  [[nodiscard]] Result<EditResult> settled(const energy::Guidance& guidance);
+
+ private:
+  SurfaceEdit(spline::BsplineSurface old, EditOptions options, EditRegion region);
+  [[nodiscard]] int moved() const;
+  Result<void> lookUp(const energy::Guidance& guidance);
+
+  spline::BsplineSurface old_, start_, scaled_;  // as given; enriched; over its proportions
+  EditOptions options_;
+  EditRegion region_;
+  layout::PatchLayout layout_;
+  solver::QuadraticProgram program_;
+  std::optional<solver::GuidedProgram> guided_;
+  assembly::GuidanceSystem guide_;
+  spline::BsplineSurface latest_;  // over its proportions
+  std::optional<analysis::GuidanceReport> before_;
+};
+
 /// The surface of least extended energy ([WuYang2015] eq. 1 and 2) among those that keep the border
 /// of the old one, written on its knots, raised and split as asked for. The domain is scaled to the
 /// surface's proportions and an area of 1 for that, so lambda and gamma mean the same at every
-/// size. Handles and references are looked up near the old surface. Fails with the codes of
+/// size. Handles, curves and references are looked up near the old surface, then near the new one
+/// until that stands still. Fails with the codes of
 /// validate(), NothingToMove, HandleOff, ReferenceOff and those of solver::solve().
 [[nodiscard]] Result<EditResult> editSurface(const spline::BsplineSurface& old,
                                              const EditOptions& options,

@@ -2,6 +2,7 @@
 #include "core/energy/guidance.h"
 
 #include <cmath>
+#include <string>
 
 namespace fairing::energy {
 namespace {
@@ -28,6 +29,22 @@ std::optional<Error> wrongHandle(const NormalHandle& handle, std::size_t number)
   return std::nullopt;
 }
 
+std::optional<Error> wrongCurve(const NormalCurve& curve, std::size_t number) {
+  if (curve.points.empty() || curve.points.size() != curve.normals.size())
+    return Error{.code = ErrorCode::CurveNormals,
+                 .value = static_cast<double>(number),
+                 .detail = std::to_string(curve.normals.size()) + " of " +
+                           std::to_string(curve.points.size())};
+  for (std::size_t k = 0; k < curve.points.size(); ++k) {
+    const NormalHandle there{curve.points[k], curve.normals[k], curve.weight, curve.radius};
+    if (auto wrong = wrongHandle(there, number)) {
+      if (wrong->code == ErrorCode::NormalZero) wrong->detail = "curve";
+      return wrong;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> wrongGrid(const DiscreteGuidance& grid) {
   const Eigen::Index count = Eigen::Index(grid.n + 1) * (grid.m + 1);
   if (grid.n < 1 || grid.m < 1 || grid.normals.rows() != count || grid.points.rows() != count ||
@@ -50,6 +67,11 @@ std::optional<Error> wrongGrid(const DiscreteGuidance& grid) {
 
 }  // namespace
 
+Guidance weighingOne(Guidance guidance) {
+  guidance.lambda = guidance.gamma = 1.0;
+  return guidance;
+}
+
 std::optional<Error> validate(const Guidance& guidance) {
   if (!isWeight(guidance.lambda))
     return Error{.code = ErrorCode::WeightNegative, .value = guidance.lambda, .detail = "lambda"};
@@ -57,6 +79,8 @@ std::optional<Error> validate(const Guidance& guidance) {
     return Error{.code = ErrorCode::WeightNegative, .value = guidance.gamma, .detail = "gamma"};
   for (std::size_t k = 0; k < guidance.handles.size(); ++k)
     if (auto wrong = wrongHandle(guidance.handles[k], k + 1)) return wrong;
+  for (std::size_t k = 0; k < guidance.curves.size(); ++k)
+    if (auto wrong = wrongCurve(guidance.curves[k], k + 1)) return wrong;
   if (guidance.discrete)
     if (auto wrong = wrongGrid(*guidance.discrete)) return wrong;
   if (guidance.continuous && !guidance.continuous->normals.poles.allFinite())

@@ -20,10 +20,19 @@ struct GuidanceSample {
   double gamma = 0.0;
 };
 
-/// A normal the user sets near a point: weighs lambda there and fades to nothing at `radius`.
+/// A normal the user sets: weighs lambda at the nearest point of the surface and fades to nothing
+/// at `radius` from there.
 struct NormalHandle {
   Eigen::Vector3d point;
   Eigen::Vector3d normal;
+  double weight = 1.0;
+  double radius = 0.0;  ///< mm
+};
+
+/// Normals along a curve: between its points both change linearly; fades to nothing at `radius`
+/// from it.
+struct NormalCurve {
+  std::vector<Eigen::Vector3d> points, normals;  ///< as many, in order
   double weight = 1.0;
   double radius = 0.0;  ///< mm
 };
@@ -59,6 +68,7 @@ struct Guidance {
   std::optional<DiscreteGuidance> discrete;
   std::optional<FieldCorners> corners;  ///< of `continuous` and `discrete`
   std::vector<NormalHandle> handles;
+  std::vector<NormalCurve> curves;
   /// Nearest point and unit normal on a reference shape (faces given with --reference), empty =
   /// none.
   std::function<GuidanceSample(const Eigen::Vector3d& near)> reference;
@@ -67,12 +77,20 @@ struct Guidance {
   std::function<GuidanceSample(double u, double v)> parametric;
 
   [[nodiscard]] bool hasField() const { return continuous || discrete; }
+  [[nodiscard]] bool hasNormals() const { return !handles.empty() || !curves.empty(); }
+  /// Whether what is found near a surface changes as the surface comes closer to it, so that it is
+  /// worth another look. Where a reference gives normals alone nothing holds points to it: looked
+  /// up again and again, the surface would slide along it.
+  [[nodiscard]] bool isDrawn() const { return hasNormals() || (reference && gamma > 0.0); }
   /// Whether there is anything to follow, whatever its weight.
   [[nodiscard]] bool isGiven() const {
-    return hasField() || !handles.empty() || reference || parametric;
+    return hasField() || hasNormals() || reference || parametric;
   }
   [[nodiscard]] bool acts() const { return (lambda > 0.0 || gamma > 0.0) && isGiven(); }
 };
+
+/// The same guidance with global weights of 1.
+[[nodiscard]] Guidance weighingOne(Guidance guidance);
 
 /// The first thing wrong with what guides: WeightNegative, NormalZero, FieldSize, NotFinite.
 [[nodiscard]] std::optional<Error> validate(const Guidance& guidance);

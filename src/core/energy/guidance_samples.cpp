@@ -2,8 +2,9 @@
 #include "core/energy/guidance_samples.h"
 
 #include <algorithm>
-#include <cmath>
+#include <thread>
 
+#include "core/base/parallel_for.h"
 #include "core/energy/lay_field.h"
 #include "core/spline/quadrature.h"
 
@@ -11,6 +12,15 @@ namespace fairing::energy {
 namespace {
 
 using spline::KnotVector;
+
+// Nearest points are dear to look up.
+const int kThreads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+
+GuidanceSample weighted(GuidanceSample guide, const Guidance& by) {
+  guide.lambda *= by.lambda;
+  guide.gamma *= by.gamma;
+  return guide;
+}
 
 struct Domain {
   const KnotVector& u;
@@ -70,7 +80,8 @@ void addContinuous(const Guidance& g, const Domain& d, std::vector<WeightedSampl
         samples.push_back({qu.parameter,
                            qv.parameter,
                            qu.weight * qv.weight,
-                           {normals.evaluate(u, v), reference.evaluate(u, v), g.lambda, gamma}});
+                           {normals.evaluate(u, v), reference.evaluate(u, v), g.lambda, gamma},
+                           GuideKind::Field});
       });
 }
 
@@ -86,41 +97,35 @@ void addDiscrete(const Guidance& g, const Domain& d, std::vector<WeightedSample>
                          {grid.normals.row(k),
                           grid.points.row(k),
                           g.lambda * grid.lambda[k],
-                          g.gamma * grid.gamma[k]}});
+                          g.gamma * grid.gamma[k]},
+                         GuideKind::Field});
     }
 }
 
-// A handle fades with the distance r from its point as (1 - (r / radius)^2)^2: smooth, and nothing
-// beyond the radius.
-double handleWeight(const NormalHandle& handle, const Eigen::Vector3d& point) {
-  const double x = (point - handle.point).squaredNorm() / (handle.radius * handle.radius);
-  return x < 1.0 ? handle.weight * (1.0 - x) * (1.0 - x) : 0.0;
-}
-
 void addLookedUp(const Guidance& g,
+                 const NormalFeet& feet,
                  const Domain& d,
                  const spline::BsplineSurface& current,
                  std::vector<WeightedSample>& samples) {
-  forEachGaussPoint(
-      d.u,
-      d.u.degree(),
-      d.v,
-      d.v.degree(),
-      [&](const spline::QuadraturePoint& qu, const spline::QuadraturePoint& qv) {
-        const Eigen::Vector3d here = current.evaluate(qu.parameter, qv.parameter);
-        const double weight = qu.weight * qv.weight;
-        for (const NormalHandle& handle : g.handles)
-          if (const double w = handleWeight(handle, here); w > 0.0)
-            samples.push_back({qu.parameter,
-                               qv.parameter,
-                               weight,
-                               {handle.normal.normalized(), here, g.lambda * w, 0.0}});
-        if (!g.reference) return;
-        GuidanceSample guide = g.reference(here);
-        guide.lambda *= g.lambda;
-        guide.gamma *= g.gamma;
-        samples.push_back({qu.parameter, qv.parameter, weight, guide});
-      });
+  std::vector<WeightedSample> places;
+  forEachGaussPoint(d.u,
+                    d.u.degree(),
+                    d.v,
+                    d.v.degree(),
+                    [&](const spline::QuadraturePoint& qu, const spline::QuadraturePoint& qv) {
+                      places.push_back({qu.parameter, qv.parameter, qu.weight * qv.weight, {}, {}});
+                    });
+  const auto addAll = [&](GuideKind kind, const auto& guideAt) {
+    const std::size_t first = samples.size();
+    samples.insert(samples.end(), places.begin(), places.end());
+    parallelFor(kThreads, static_cast<int>(places.size()), [&](int k) {
+      WeightedSample& s = samples[first + static_cast<std::size_t>(k)];
+      s.kind = kind;
+      s.guide = weighted(guideAt(current.evaluate(s.u, s.v)), g);
+    });
+  };
+  if (g.hasNormals()) addAll(GuideKind::Normals, [&](const auto& here) { return feet.at(here); });
+  if (g.reference) addAll(GuideKind::Reference, g.reference);
 }
 
 // One point more than for the energy: (R - S)^2 is integrated exactly where R and S share their
@@ -131,18 +136,21 @@ void addParametric(const Guidance& g, const Domain& d, std::vector<WeightedSampl
                     d.v,
                     d.v.degree() + 1,
                     [&](const spline::QuadraturePoint& qu, const spline::QuadraturePoint& qv) {
-                      GuidanceSample guide =
+                      const GuidanceSample guide =
                           g.parametric((qu.parameter - d.u.first()) / d.width(),
                                        (qv.parameter - d.v.first()) / d.height());
-                      guide.lambda *= g.lambda;
-                      guide.gamma *= g.gamma;
-                      samples.push_back({qu.parameter, qv.parameter, qu.weight * qv.weight, guide});
+                      samples.push_back({qu.parameter,
+                                         qv.parameter,
+                                         qu.weight * qv.weight,
+                                         weighted(guide, g),
+                                         GuideKind::Parametric});
                     });
 }
 
 }  // namespace
 
 std::vector<WeightedSample> guidanceSamples(const Guidance& guidance,
+                                            const NormalFeet& feet,
                                             const KnotVector& u,
                                             const KnotVector& v,
                                             const spline::BsplineSurface& current) {
@@ -154,8 +162,8 @@ std::vector<WeightedSample> guidanceSamples(const Guidance& guidance,
     if (laid.discrete) addDiscrete(laid, domain, samples);
   }
   if (guidance.parametric) addParametric(guidance, domain, samples);
-  if (!guidance.handles.empty() || guidance.reference)
-    addLookedUp(guidance, domain, current, samples);
+  if (guidance.hasNormals() || guidance.reference)
+    addLookedUp(guidance, feet, domain, current, samples);
   return samples;
 }
 

@@ -2,7 +2,9 @@
 #include "core/fill/fill_hole.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/fill/fill_trimmed.h"
 #include "core/layout/layouts.h"
@@ -30,11 +32,14 @@ Result<FillResult> fillWith(LayoutKind kind,
                             const FillOptions& options,
                             Progress* progress) {
   if (kind == LayoutKind::Trimmed) return fillTrimmed(loop, options, progress);
-  const auto span = makeSpan(loop, options.tolerance, [&](const boundary::BoundaryLoop& target) {
+  auto made = makeSpan(loop, options.tolerance, [&](const boundary::BoundaryLoop& target) {
     return layout::planLayout(target, kind);
   });
-  if (!span) return fail(span.error());
-  return spanPlan(*span, options, progress);
+  if (!made) return fail(made.error());
+  const auto span = std::make_shared<const Span>(std::move(*made));
+  auto result = spanPlan(*span, options, progress);
+  if (result) result->span = span;
+  return result;
 }
 
 void noteTinySides(const boundary::BoundaryLoop& loop, analysis::FillReport& report) {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/analysis/closest_point.h"
 #include "core/analysis/curvature.h"
 #include "core/height_field/domain_grid.h"
+#include "core/spline/closest_point.h"
 
 namespace fairing {
 namespace {
@@ -21,14 +21,14 @@ constexpr int kSupportSamples = 33;  // a side
 // Above this the plane is told to be unfit.
 constexpr double kTooSteep = 75.0;
 
-analysis::SurfaceFoot footBelow(const TrimmedHole& hole,
-                                const spline::BsplineSurface& surface,
-                                const Vector3d& point) {
+spline::SurfaceFoot footBelow(const TrimmedHole& hole,
+                              const spline::BsplineSurface& surface,
+                              const Vector3d& point) {
   const Vector3d at = hole.frame.coordinates(point);
-  return analysis::closestPoint(surface,
-                                point,
-                                std::clamp(at[0], surface.u.first(), surface.u.last()),
-                                std::clamp(at[1], surface.v.first(), surface.v.last()));
+  return spline::closestPoint(surface,
+                              point,
+                              std::clamp(at[0], surface.u.first(), surface.u.last()),
+                              std::clamp(at[1], surface.v.first(), surface.v.last()));
 }
 
 double distanceFromLoop(const TrimmedHole& hole, const Vector3d& point) {
@@ -51,7 +51,7 @@ std::vector<double> parametersOf(const InnerConstraint& inner) {
 double distanceFromFace(const TrimmedHole& hole,
                         const spline::BsplineSurface& surface,
                         const Vector3d& point) {
-  const analysis::SurfaceFoot foot = footBelow(hole, surface, point);
+  const spline::SurfaceFoot foot = footBelow(hole, surface, point);
   return hole.projected.contains({foot.u, foot.v}) ? foot.distance : distanceFromLoop(hole, point);
 }
 
@@ -125,7 +125,7 @@ FillResult measureTrimmed(const TrimmedHole& hole,
   // The loop runs counter-clockwise in the plane, and u x v is up: the surface lies to its left.
   const double left = hole.projected.area > 0.0 ? 1.0 : -1.0;
   const auto footOf = [&](std::size_t, const analysis::ProbePoint& probe) {
-    const analysis::SurfaceFoot foot = footBelow(hole, surface, probe.point);
+    const spline::SurfaceFoot foot = footBelow(hole, surface, probe.point);
     const Vector3d normal = foot.jet.normalVector().normalized();
     const double curvature = analysis::normalCurvature(foot.jet, normal.cross(probe.tangent));
     return analysis::MeasuredFoot{foot.distance, normal, curvature, left};

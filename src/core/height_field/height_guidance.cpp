@@ -40,8 +40,9 @@ void addGuidance(HeightSystem& system,
       return isInside(near) ? guidance.reference(near) : energy::GuidanceSample{};
     };
   const spline::BsplineSurface current = surfaceOf(about, frame);
+  const energy::NormalFeet feet(guidance, {current});
   for (const energy::WeightedSample& sample :
-       energy::guidanceSamples(within, system.knotsU(), system.knotsV(), current)) {
+       energy::guidanceSamples(within, feet, system.knotsU(), system.knotsV(), current)) {
     if (!loop.contains({sample.u, sample.v})) continue;
     CellSquares squares;
     const JetBasis at = jetBasis(system.knotsU(), system.knotsV(), sample.u, sample.v);

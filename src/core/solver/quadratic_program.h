@@ -52,4 +52,7 @@ struct QuadraticProgram {
   std::vector<ConstraintBlock> blocks;
 };
 
+/// A matrix of points as one of coordinates: M (x) I3.
+[[nodiscard]] Sparse threefold(const Sparse& matrix);
+
 }  // namespace fairing::solver

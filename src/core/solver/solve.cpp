@@ -1,41 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/solver/solve.h"
 
-#include <Eigen/SparseCholesky>
-
 #include "core/solver/condense.h"
 #include "core/solver/eliminate_constraints.h"
+#include "core/solver/guided_program.h"
 #include "core/solver/solve_bound.h"
 #include "core/solver/tie_points.h"
 
-// Minimise 1/2 X'KX - f'X over X = x0 + T y:   (T'KT) y = T'(f - K x0).   [NocedalWright2006]
-// section 16.2
-//   K = stiffness (x) I3 + coupled,  x0 = offset,  T = basis.
-
 namespace fairing::solver {
 namespace {
-
-using Eigen::VectorXd;
-
-Result<Points> solveCoupled(const QuadraticProgram& program, const AffineSpace& space) {
-  const Sparse stiffness = threefold(program.stiffness) + program.coupled;
-  const Sparse reduced = space.basis.transpose() * stiffness * space.basis;
-  VectorXd right = -(stiffness * space.offset);
-  if (program.load.size() > 0) right += program.load;
-  const Eigen::SimplicialLDLT<Sparse> factor(reduced);
-  if (factor.info() != Eigen::Success) return fail({ErrorCode::SystemSingular});
-  const VectorXd x = space.offset + space.basis * factor.solve(space.basis.transpose() * right);
-  return Points(Eigen::Map<const Points>(x.data(), x.size() / 3, 3));
-}
-
-using Solver = Result<Points>(const QuadraticProgram&, const AffineSpace&);
-
-Result<Solution> solveRows(const QuadraticProgram& program, Solver& solver) {
-  const AffineSpace space = eliminateConstraints(program);
-  const Result<Points> points = solver(program, space);
-  if (!points) return tl::unexpected<Error>(points.error());
-  return Solution{*points, static_cast<int>(space.basis.cols()), space.rows, space.residual};
-}
 
 // Solves a program without its inner points.
 template <class Solve>
@@ -62,15 +35,21 @@ Result<Solution> solveUntied(const QuadraticProgram& program, const Solve& solve
 }
 
 Result<Solution> solveDense(const QuadraticProgram& program) {
-  return solveRows(program, solveBound);
+  const AffineSpace space = eliminateConstraints(program);
+  const Result<Points> points = solveBound(program, space);
+  if (!points) return tl::unexpected<Error>(points.error());
+  return Solution{*points, static_cast<int>(space.basis.cols()), space.rows, space.residual};
 }
 
-Result<Solution> solveSparse(const QuadraticProgram& program) {
-  return solveRows(program, solveCoupled);
+Result<Solution> solveCoupled(const QuadraticProgram& program) {
+  const auto n = static_cast<Eigen::Index>(program.fixed.size());
+  GuidedProgram guided(program);
+  guided.setGuide(program.coupled, Sparse(n, n), Eigen::VectorXd::Zero(3 * n));
+  return guided.solve(1.0, 0.0);
 }
 
 Result<Solution> solveByStages(const QuadraticProgram& program) {
-  if (program.coupled.nonZeros() > 0) return solveUntied(program, solveSparse);
+  if (program.coupled.nonZeros() > 0) return solveCoupled(program);
   return solveCondensed(program, [](const QuadraticProgram& tied) {
     if (tied.ties.empty()) return solveDense(tied);
     return solveUntied(tied, [](const QuadraticProgram& rest) {

@@ -53,18 +53,6 @@ LinearRow inFreePoints(const LinearRow& row, const TiedPoints& tied, const Spars
 
 }  // namespace
 
-Sparse threefold(const Sparse& matrix) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * static_cast<std::size_t>(matrix.nonZeros()));
-  for (int j = 0; j < matrix.outerSize(); ++j)
-    for (Sparse::InnerIterator it(matrix, j); it; ++it)
-      for (int c = 0; c < 3; ++c)
-        entries.emplace_back(3 * static_cast<int>(it.row()) + c, 3 * j + c, it.value());
-  Sparse result(3 * matrix.rows(), 3 * matrix.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
 TiedPoints tiePoints(const QuadraticProgram& program) {
   Elimination elimination(program.fixed.size(), kRankThreshold);
   for (std::size_t p = 0; p < program.fixed.size(); ++p)
@@ -107,13 +95,6 @@ QuadraticProgram withoutTies(const QuadraticProgram& program, const TiedPoints& 
   const auto n = static_cast<Index>(program.fixed.size());
   Points load = -(program.stiffness * tied.offset);
   if (program.load.size() > 0) load += Eigen::Map<const Points>(program.load.data(), n, 3);
-  if (program.coupled.nonZeros() > 0) {
-    const Sparse wide = threefold(basis);
-    reduced.coupled = wide.transpose() * program.coupled * wide;
-    const Eigen::VectorXd pulled =
-        program.coupled * Eigen::Map<const Eigen::VectorXd>(tied.offset.data(), 3 * n);
-    load -= Eigen::Map<const Points>(pulled.data(), n, 3);
-  }
   const Points free = basis.transpose() * load;
   reduced.load = Eigen::Map<const Eigen::VectorXd>(free.data(), free.size());
   reduced.values.resize(static_cast<Index>(tied.free.size()), 3);

@@ -12,14 +12,12 @@ struct TiedPoints {
   double residual = 0.0;  ///< largest left by ties that contradict others, mm
 };
 
-/// A matrix of points as one of coordinates: M (x) I3.
-[[nodiscard]] Sparse threefold(const Sparse& matrix);
-
 /// Solves the ties, block by block, by QR with column pivoting; fixed points are constants.
 /// Dependent rows are dropped.
 [[nodiscard]] TiedPoints tiePoints(const QuadraticProgram& program);
 
-/// The same program in the free points alone: no ties are left, nothing else changes.
+/// The same program in the free points alone: no ties are left, nothing else changes. What couples
+/// the coordinates is left out.
 [[nodiscard]] QuadraticProgram withoutTies(const QuadraticProgram& program, const TiedPoints& tied);
 
 }  // namespace fairing::solver

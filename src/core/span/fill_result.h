@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "core/analysis/continuity_report.h"
@@ -11,6 +12,8 @@
 
 namespace fairing {
 
+struct Span;
+
 /// A filled hole: patches, what was measured on them, and how they came about.
 struct FillResult {
   std::vector<spline::BsplineSurface> patches;
@@ -20,6 +23,10 @@ struct FillResult {
   /// Of a blend: points of the first and the second side that belong together, where it is cut or
   /// starts.
   std::vector<layout::MatchedPoints> matches;
+  /// What the patches would be without guidance, on the same knots, and what they span: what a
+  /// GuidedSpan starts from. None of a trimmed face.
+  std::vector<spline::BsplineSurface> unguided;
+  std::shared_ptr<const Span> span;
   analysis::FillReport report;
   solver::SolveSummary summary;
 };

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "core/analysis/nearest_patch.h"
 #include "core/span/refine.h"
 #include "core/spline/bspline_basis.h"
+#include "core/spline/nearest_patch.h"
 
 namespace fairing {
 namespace {
@@ -23,7 +23,7 @@ std::vector<Eigen::Vector3d> placesOf(const InnerConstraint& constraint, int cou
 }
 
 solver::TieRow rowAt(const layout::LayoutPatch& patch,
-                     const analysis::SurfaceFoot& foot,
+                     const spline::SurfaceFoot& foot,
                      const Eigen::Vector3d& point) {
   const spline::BasisRow bu = spline::basisRow(patch.u, foot.u),
                          bv = spline::basisRow(patch.v, foot.v);
@@ -43,9 +43,10 @@ solver::TieRow rowAt(const layout::LayoutPatch& patch,
 int freedomsAlong(const Patches& patches, const InnerConstraint& constraint) {
   if (constraint.isPoint) return 1;
   int crossings = 0, degree = 0;
-  std::optional<analysis::PatchFoot> before;
+  std::optional<spline::PatchFoot> before;
+  const spline::NearestPatch nearest(patches);
   for (const Eigen::Vector3d& place : placesOf(constraint, kMeasured)) {
-    const analysis::PatchFoot near = analysis::nearestPatch(patches, place);
+    const spline::PatchFoot near = nearest.to(place);
     const spline::BsplineSurface& patch = patches[static_cast<std::size_t>(near.patch)];
     degree = std::max({degree, patch.u.degree(), patch.v.degree()});
     if (before && before->patch == near.patch)
@@ -63,9 +64,10 @@ std::vector<solver::TieBlock> passThrough(const layout::PatchLayout& layout,
                                           const std::vector<InnerConstraint>& constraints,
                                           const std::vector<char>& taken) {
   solver::TieBlock block;
+  const spline::NearestPatch nearest(about);
   for (const InnerConstraint& constraint : constraints)
     for (const Eigen::Vector3d& place : placesOf(constraint, freedomsAlong(about, constraint))) {
-      const analysis::PatchFoot near = analysis::nearestPatch(about, place);
+      const spline::PatchFoot near = nearest.to(place);
       const auto row =
           rowAt(layout.patches[static_cast<std::size_t>(near.patch)], near.foot, place);
       const std::size_t before = block.solvedFor.size();
@@ -81,13 +83,14 @@ std::vector<solver::TieBlock> passThrough(const layout::PatchLayout& layout,
 void addInner(analysis::FillReport& report,
               const Patches& patches,
               const std::vector<InnerConstraint>& constraints) {
+  const spline::NearestPatch nearest(patches);
   for (std::size_t k = 0; k < constraints.size(); ++k) {
     analysis::InnerReport inner;
     inner.number = static_cast<int>(k) + 1;
     double sum = 0.0;
     const auto places = placesOf(constraints[k], kMeasured);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const double distance = analysis::nearestPatch(patches, places[i]).foot.distance;
+      const double distance = nearest.to(places[i]).foot.distance;
       sum += distance * distance;
       if (i > 0 && distance <= inner.gap.max) continue;
       inner.gap.max = distance;
@@ -107,9 +110,10 @@ void wishForInner(const layout::PatchLayout& layout,
                   const std::vector<InnerConstraint>& constraints,
                   double limit,
                   std::vector<layout::KnotWish>& wishes) {
+  const spline::NearestPatch nearest(patches);
   for (const InnerConstraint& constraint : constraints)
     for (const Eigen::Vector3d& place : placesOf(constraint, kMeasured)) {
-      const analysis::PatchFoot near = analysis::nearestPatch(patches, place);
+      const spline::PatchFoot near = nearest.to(place);
       if (near.foot.distance <= limit) continue;
       const auto p = static_cast<std::size_t>(near.patch);
       for (const double knot : middlesAt(layout.patches[p].u, near.foot.u))

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/assembly/assemble_energy.h"
-#include "core/assembly/assemble_guidance.h"
 #include "core/constraint/constraint_set.h"
 #include "core/layout/build_layout.h"
 #include "core/span/pass_through.h"
@@ -120,20 +119,11 @@ bool isIterated(const boundary::BoundaryLoop& loop, const FillOptions& options) 
          });
 }
 
-Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,
-                                     const layout::PatchLayout& layout,
-                                     const energy::Guidance& guidance) {
-  if (guidance.hasField() && layout.patches.size() > 1)
-    return fail(
-        {.code = ErrorCode::FieldManyPatches, .value = static_cast<double>(layout.patches.size())});
-  auto solution = solver::solve(program);
-  if (!solution || !guidance.acts()) return solution;
-  const auto guided =
-      assembly::assembleGuidance(layout, guidance, makePatches(layout, solution->points));
-  program.coupled = guided.coupled;
-  program.load =
-      program.load.size() > 0 ? Eigen::VectorXd(program.load + guided.load) : guided.load;
-  return solver::solve(program);
+std::optional<Error> fieldMisplaced(const energy::Guidance& guidance,
+                                    const layout::PatchLayout& layout) {
+  if (!guidance.hasField() || layout.patches.size() == 1) return std::nullopt;
+  return Error{.code = ErrorCode::FieldManyPatches,
+               .value = static_cast<double>(layout.patches.size())};
 }
 
 }  // namespace fairing

@@ -43,6 +43,8 @@ struct Aim {
   /// Where G2 sides and inner constraints are taken; without it sides are G1, constraints left out.
   std::optional<solver::Points> about;
   HeldPoints held;
+  /// Where guidance is looked up; without it near the minimiser that nothing guides.
+  std::optional<solver::Points> near = std::nullopt;
 };
 
 /// What the patches of a layout minimise, the quadratic energy of `kind`, and subject to what.
@@ -56,10 +58,8 @@ struct Aim {
 /// Whether a program has rows that depend on where they are taken: G2 sides, inner constraints.
 [[nodiscard]] bool isIterated(const boundary::BoundaryLoop& loop, const FillOptions& options);
 
-/// The minimiser, under guidance where it acts. Guidance is looked up near the shape it acts on:
-/// first the fill without it, then with it. Fails with FieldManyPatches and the codes of solve().
-[[nodiscard]] Result<solver::Solution> solveGuided(solver::QuadraticProgram& program,
-                                                   const layout::PatchLayout& layout,
-                                                   const energy::Guidance& guidance);
+/// What is wrong with a field on the patches of a layout, if anything: FieldManyPatches.
+[[nodiscard]] std::optional<Error> fieldMisplaced(const energy::Guidance& guidance,
+                                                  const layout::PatchLayout& layout);
 
 }  // namespace fairing

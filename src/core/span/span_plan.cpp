@@ -4,24 +4,20 @@
 #include <algorithm>
 
 #include "core/analysis/curvature.h"
-#include "core/analysis/measure_fill.h"
 #include "core/analysis/measure_guidance.h"
-#include "core/analysis/measure_seams.h"
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
 #include "core/layout/layouts.h"
 #include "core/span/fair_shape.h"
+#include "core/span/one_pass.h"
 #include "core/span/pass_through.h"
 #include "core/span/refine.h"
-#include "core/span/span_hole.h"
 
 namespace fairing {
 namespace {
 
 // Edges that are not polynomial are fitted this much closer than the gap allowed.
 constexpr double kFitShare = 0.3;
-// Solves about the last one's solution that make the rows of G2 sides and inner constraints exact.
-constexpr int kNewtonSteps = 3;
 // What an edge that lies off its face may keep of its own angle: the rest of the limit is the
 // solver's.
 constexpr double kFollowAim = 0.65;
@@ -34,52 +30,6 @@ std::vector<double> startsOf(const layout::LayoutPlan& plan, const boundary::Bou
     if (const boundary::Stretch& first = side->front(); loop.next(first.edge) == first.edge)
       starts[first.edge] = first.from;
   return starts;
-}
-
-FillResult measured(const Span& span,
-                    const layout::PatchLayout& layout,
-                    const solver::Solution& solution,
-                    const FillOptions& options) {
-  FillResult result;
-  result.layout = layout.kind;
-  result.patches = makePatches(layout, solution.points);
-  result.report = analysis::measureFill(
-      span.loop, span.probe, result.patches, sideTraces(span.plan, layout), options.tolerance);
-  analysis::addSeams(result.report, result.patches, seamTraces(layout));
-  addInner(result.report, result.patches, options.through);
-  for (std::size_t k = 0; k < span.target.sides.size(); ++k)
-    result.report.sides[k].followedBy = span.target.sides[k].followedBy;
-  result.reversed.assign(result.patches.size(), result.report.reversed);
-  result.summary.poles = layout.pointCount;
-  result.summary.unknowns = solution.unknowns;
-  result.summary.constraints = solution.constraints;
-  result.summary.constraintResidual = solution.residual;
-  return result;
-}
-
-// One pass on a given layout.
-Result<FillResult> fillOn(const Span& span,
-                          const layout::PatchLayout& layout,
-                          Aim aim,
-                          const FillOptions& options) {
-  Stopwatch watch;
-  auto program = makeProgram(span.plan, layout, options.energy, aim);
-  if (!program) return fail(program.error());
-  auto solution = solveGuided(*program, layout, options.guidance);
-  const int newtonSteps = isIterated(span.plan.cut.loop, options) ? kNewtonSteps : 0;
-  for (int k = 0; solution && k < newtonSteps; ++k) {
-    aim.about = solution->points;
-    program = makeProgram(span.plan, layout, options.energy, aim, options.through);
-    if (!program) return fail(program.error());
-    solution = solveGuided(*program, layout, options.guidance);
-  }
-  if (!solution) return fail(solution.error());
-  const double solveTime = watch.lap();
-  FillResult result = measured(span, layout, *solution, options);
-  result.summary.solveTime = solveTime;
-  result.summary.measureTime = watch.lap();
-  result.summary.energy = solver::energy(*program, solution->points);
-  return result;
 }
 
 }  // namespace
@@ -108,14 +58,17 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
   if (*shape) layout = layout::withKnotsOf(span.plan, layout, (*shape)->layout);
 
   std::optional<FillResult> best;
+  std::optional<Patches> latest;
   for (int round = 0; round <= options.maxRefinements; ++round) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     if (best && layout.pointCount > options.maxPoles) break;
     Aim aim;
     if (*shape) aim.shape = pointsOn(layout, (*shape)->patches);
+    if (latest) aim.near = pointsOn(layout, *latest);
     auto tried = fillOn(span, layout, std::move(aim), options);
     if (!tried) return tried;
     tried->summary.solves = round + 1;
+    latest = tried->patches;
     auto wishes = wishedKnots(span.plan, layout, tried->report, kRefineAim);
     wishForInner(
         layout, tried->patches, options.through, kRefineAim * tried->report.gapLimit, wishes);

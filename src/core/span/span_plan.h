@@ -2,25 +2,14 @@
 #pragma once
 #include <functional>
 
-#include "core/analysis/loop_probe.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/boundary/boundary_loop.h"
-#include "core/layout/layout_plan.h"
 #include "core/span/fill_options.h"
 #include "core/span/fill_result.h"
+#include "core/span/span.h"
 #include "core/span/span_hole.h"
 
 namespace fairing {
-
-/// What is to be spanned: the sides as they are, which the result is measured against, and the way
-/// they are to be spanned.
-struct Span {
-  boundary::BoundaryLoop loop;
-  boundary::BoundaryLoop target;  ///< it, its edges moved towards their faces
-  analysis::LoopProbe probe;      ///< of loop and target
-  layout::LayoutPlan plan;        ///< made for target
-};
 
 /// The plan for a loop that patches are made for.
 using PlanOf = std::function<Result<layout::LayoutPlan>(const boundary::BoundaryLoop& target)>;

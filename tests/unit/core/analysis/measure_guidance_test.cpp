@@ -93,11 +93,11 @@ TEST(MeasureGuidance, TellsHowMuchAReferenceCovers) {
 TEST(MeasureGuidance, FindsHandlesThatReachNothing) {
   energy::Guidance guidance;
   guidance.handles = {{Vector3d(0.5, 0.5, 0.0), tilted(kTilt), 1.0, 0.3},
-                      {Vector3d(0.5, 0.5, 2.0), tilted(kTilt), 1.0, 1.0}};
+                      {Vector3d(3.5, 0.5, 2.0), tilted(kTilt), 1.0, 1.0}};
   const auto report = measureGuidance(guidance, {square()});
   ASSERT_THAT(report, FailsWith(ErrorCode::HandleOff));
-  EXPECT_EQ(report.error().detail, "2");
-  EXPECT_GE(report.error().value, 2.0);
+  EXPECT_EQ(report.error().detail, "Handle 2");
+  EXPECT_NEAR(report.error().value, 2.5, 1e-12);
   guidance.handles.pop_back();
   EXPECT_NEAR(measureGuidance(guidance, {square()})->rmsAngle, kTilt, 1e-12);
 }

@@ -120,7 +120,7 @@ class AssembleGuidance : public ::testing::TestWithParam<Case> {
 
 TEST_P(AssembleGuidance, IsTheEnergyOfTheSurface) {
   const double expected = GetParam().energy(patch_, GetParam().guidance);
-  const double got = 0.5 * x_.dot(system_.coupled * x_) - system_.load.dot(x_) + system_.constant;
+  const double got = 0.5 * x_.dot(system_.coupled() * x_) - system_.load.dot(x_) + system_.constant;
   EXPECT_NEAR(got, expected, 1e-12 * (1.0 + expected));
 }
 
@@ -129,12 +129,12 @@ TEST_P(AssembleGuidance, GradientIsThatOfTheEnergy) {
     return GetParam().energy({patch_.u, patch_.v, unflattened(x)}, GetParam().guidance);
   };
   const VectorXd expected = quadraticGradient(energyAt, x_);
-  const VectorXd got = system_.coupled * x_ - system_.load;
+  const VectorXd got = system_.coupled() * x_ - system_.load;
   EXPECT_THAT(got, IsNear(expected, 1e-11 * (1.0 + expected.norm())));
 }
 
 TEST_P(AssembleGuidance, MatrixIsSymmetric) {
-  const Eigen::MatrixXd k = system_.coupled;
+  const Eigen::MatrixXd k = system_.coupled();
   EXPECT_LT((k - k.transpose()).norm(), 1e-14 * k.norm());
 }
 
@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(AssembleGuidance, WithoutGuidanceNothingIsAdded) {
   const BsplineSurface patch = somePatch(1);
   const GuidanceSystem system = assembleGuidance(freePatch(patch.u, patch.v), {}, {patch});
-  EXPECT_EQ(system.coupled.norm(), 0.0);
+  EXPECT_EQ(system.coupled().norm(), 0.0);
   EXPECT_EQ(system.load.norm(), 0.0);
   EXPECT_EQ(system.constant, 0.0);
 }
@@ -163,10 +163,10 @@ TEST(AssembleGuidance, AHandleActsOnlyWithinItsRadius) {
   guidance.lambda = 1.0;
   guidance.handles = {{Vector3d(50.0, 0.0, 0.0), Vector3d::UnitZ(), 1.0, 5.0}};
   const auto layout = freePatch(patch.u, patch.v);
-  EXPECT_EQ(assembleGuidance(layout, guidance, {patch}).coupled.norm(), 0.0);
+  EXPECT_EQ(assembleGuidance(layout, guidance, {patch}).coupled().norm(), 0.0);
   guidance.handles[0].point = patch.evaluate(0.6, 0.4);
   guidance.handles[0].radius = 0.5;
-  EXPECT_GT(assembleGuidance(layout, guidance, {patch}).coupled.norm(), 0.0);
+  EXPECT_GT(assembleGuidance(layout, guidance, {patch}).coupled().norm(), 0.0);
 }
 
 TEST(AssembleGuidance, ADenseGridOfUnitWeightsTendsToTheIntegral) {
@@ -176,7 +176,7 @@ TEST(AssembleGuidance, ADenseGridOfUnitWeightsTendsToTheIntegral) {
   const auto value = [&](const Guidance& g) {
     const GuidanceSystem s = assembleGuidance(freePatch(patch.u, patch.v), g, {patch});
     const VectorXd x = flattened(patch.poles);
-    return 0.5 * x.dot(s.coupled * x) - s.load.dot(x) + s.constant;
+    return 0.5 * x.dot(s.coupled() * x) - s.load.dot(x) + s.constant;
   };
   const auto sampled = [&](int n) {
     energy::DiscreteGuidance grid;

@@ -114,7 +114,7 @@ struct Setting {
     const auto layout = freePatch(u, v);
     const auto guided = assembleGuidance(layout, guidance, {patch});
     spline::Poles gradient = assembleEnergy(layout, terms) * patch.poles;
-    gradient += unflattened(guided.coupled * flattened(patch.poles) - guided.load);
+    gradient += unflattened(guided.coupled() * flattened(patch.poles) - guided.load);
     return gradient;
   }
 };

@@ -341,7 +341,7 @@ TEST(EditSurface, TellsWhatIsWrong) {
   EXPECT_THAT(failing([](EditOptions& o) { o.guidance.discrete->n = 5; }),
               FailsWith(ErrorCode::FieldSize));
   EXPECT_THAT(failing([](EditOptions& o) {
-                o.guidance.handles = {{Vector3d(0, 0, 90), Vector3d::UnitZ(), 1.0, 5.0}};
+                o.guidance.handles = {{Vector3d(500, 0, 0), Vector3d::UnitZ(), 1.0, 5.0}};
               }),
               FailsWith(ErrorCode::HandleOff));
   EXPECT_THAT(failing([](EditOptions& o) {

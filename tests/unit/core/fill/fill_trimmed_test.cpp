@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/analysis/closest_point.h"
+#include "core/spline/closest_point.h"
 #include "support/known_loops.h"
 #include "support/matchers.h"
 
@@ -69,13 +69,13 @@ double distance(const KnownSurface& surface,
     double least = std::numeric_limits<double>::infinity();
     for (const double s : {0.25, 0.5, 0.75})
       for (const double t : {0.25, 0.5, 0.75})
-        least = std::min(
-            least,
-            analysis::closestPoint(patch,
-                                   point,
-                                   patch.u.first() + s * (patch.u.last() - patch.u.first()),
-                                   patch.v.first() + t * (patch.v.last() - patch.v.first()))
-                .distance);
+        least =
+            std::min(least,
+                     spline::closestPoint(patch,
+                                          point,
+                                          patch.u.first() + s * (patch.u.last() - patch.u.first()),
+                                          patch.v.first() + t * (patch.v.last() - patch.v.first()))
+                         .distance);
     worst = std::max(worst, least);
   }
   return worst;
@@ -207,7 +207,7 @@ TEST(FillTrimmed, PassesThroughPointsAndCurves) {
   EXPECT_TRUE(fill.report.withinTolerance);
   ASSERT_EQ(fill.report.inner.size(), 2U);
   for (const auto& inner : fill.report.inner) EXPECT_LT(inner.gap.max, 1e-6 * loop.diagonal);
-  EXPECT_LT(analysis::closestPoint(fill.patches[0], peak, 0.0, 0.0).distance, 1e-6 * loop.diagonal);
+  EXPECT_LT(spline::closestPoint(fill.patches[0], peak, 0.0, 0.0).distance, 1e-6 * loop.diagonal);
 }
 
 TEST(FillTrimmed, ATrimmedAwayPointIsReportedAsFarAsItIs) {
@@ -234,7 +234,7 @@ TEST(FillTrimmed, GuidanceDrawsTheFaceToItsReference) {
   const FillResult fill = filled(roundHole(plane()), options);
   EXPECT_TRUE(fill.report.withinTolerance);
   const Vector3d middle =
-      analysis::closestPoint(fill.patches[0], Vector3d(0.1, 0.05, 0.1), 0.0, 0.0).jet.point;
+      spline::closestPoint(fill.patches[0], Vector3d(0.1, 0.05, 0.1), 0.0, 0.0).jet.point;
   EXPECT_NEAR(middle[2], 0.1, 0.01);
 }
 

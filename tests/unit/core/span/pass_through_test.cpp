@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/analysis/nearest_patch.h"
 #include "core/fill/fill_hole.h"
+#include "core/spline/nearest_patch.h"
 #include "support/many_sided_loops.h"
 
 namespace fairing {
@@ -31,7 +31,8 @@ InnerConstraint curveOver(const KnownSurface& surface, double lift) {
 double distanceTo(const Patches& patches, const InnerConstraint& constraint) {
   double worst = 0.0;
   for (int k = 0; k <= 60; ++k)
-    worst = std::max(worst, analysis::nearestPatch(patches, constraint.at(k / 60.0)).foot.distance);
+    worst =
+        std::max(worst, spline::NearestPatch(patches).to(constraint.at(k / 60.0)).foot.distance);
   return worst;
 }
 

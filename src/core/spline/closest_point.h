@@ -2,19 +2,19 @@
 #pragma once
 #include "core/spline/bspline_surface.h"
 
-namespace fairing::analysis {
+namespace fairing::spline {
 
 struct SurfaceFoot {
   double u = 0.0, v = 0.0;
   double distance = 0.0;
-  spline::SurfaceJet jet;
+  SurfaceJet jet;
 };
 
 /// The point of a patch nearest to `point`, from a close guess, by Newton's method kept inside the
 /// patch's domain.
-[[nodiscard]] SurfaceFoot closestPoint(const spline::BsplineSurface& surface,
+[[nodiscard]] SurfaceFoot closestPoint(const BsplineSurface& surface,
                                        const Eigen::Vector3d& point,
                                        double u,
                                        double v);
 
-}  // namespace fairing::analysis
+}  // namespace fairing::spline

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/analysis/closest_point.h"
+#include "core/spline/closest_point.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 
-namespace fairing::analysis {
+namespace fairing::spline {
 namespace {
 
 constexpr int kMostSteps = 12;
@@ -14,7 +14,7 @@ constexpr double kSmallStep = 1e-6;
 
 // Newton's step for the squared distance; Gauss-Newton's where the Hessian is not positive
 // definite.
-Eigen::Vector2d step(const spline::SurfaceJet& jet, const Eigen::Vector3d& offset) {
+Eigen::Vector2d step(const SurfaceJet& jet, const Eigen::Vector3d& offset) {
   const Eigen::Vector2d gradient(jet.u.dot(offset), jet.v.dot(offset));
   Eigen::Matrix2d metric;
   metric << jet.u.dot(jet.u), jet.u.dot(jet.v), jet.u.dot(jet.v), jet.v.dot(jet.v);
@@ -31,7 +31,7 @@ Eigen::Vector2d step(const spline::SurfaceJet& jet, const Eigen::Vector3d& offse
 
 }  // namespace
 
-SurfaceFoot closestPoint(const spline::BsplineSurface& surface,
+SurfaceFoot closestPoint(const BsplineSurface& surface,
                          const Eigen::Vector3d& point,
                          double u,
                          double v) {
@@ -59,4 +59,4 @@ SurfaceFoot closestPoint(const spline::BsplineSurface& surface,
   return best;
 }
 
-}  // namespace fairing::analysis
+}  // namespace fairing::spline

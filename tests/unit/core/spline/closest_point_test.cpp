@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/analysis/closest_point.h"
+#include "core/spline/closest_point.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include "support/matchers.h"
 #include "support/random_splines.h"
 
-namespace fairing::analysis {
+namespace fairing::spline {
 namespace {
 
 using namespace ::fairing::testing;  // NOLINT: known surfaces and random splines
@@ -66,4 +66,4 @@ TEST(ClosestPoint, GivesAFiniteFootOnADegeneratePatch) {
 }
 
 }  // namespace
-}  // namespace fairing::analysis
+}  // namespace fairing::spline

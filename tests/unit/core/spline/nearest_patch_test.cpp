@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/analysis/nearest_patch.h"
+#include "core/spline/nearest_patch.h"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 #include "support/matchers.h"
 #include "support/random_splines.h"
 
-namespace fairing::analysis {
+namespace fairing::spline {
 namespace {
 
 using namespace ::fairing::testing;  // NOLINT: splines made of formulas
@@ -29,7 +29,7 @@ TEST(NearestPatch, FindsTheFootOfAPointAboveAPatch) {
   for (int patch : {0, 1}) {
     for (const auto& [u, v] : {std::pair{0.2, 0.3}, std::pair{0.77, 0.9}, std::pair{0.5, 0.05}}) {
       const auto jet = patches[static_cast<std::size_t>(patch)].jet(u, v);
-      const PatchFoot found = nearestPatch(patches, jet.point + 0.05 * normalOf(jet));
+      const PatchFoot found = NearestPatch(patches).to(jet.point + 0.05 * normalOf(jet));
       EXPECT_EQ(found.patch, patch);
       EXPECT_NEAR(found.foot.u, u, 1e-8);
       EXPECT_NEAR(found.foot.v, v, 1e-8);
@@ -41,7 +41,7 @@ TEST(NearestPatch, FindsTheFootOfAPointAboveAPatch) {
 TEST(NearestPatch, StaysOnTheBorderForAPointBesideThePatches) {
   const auto patches = twoPatches();
   const Vector3d corner = patches[1].evaluate(1.0, 1.0);
-  const PatchFoot found = nearestPatch(patches, corner + Vector3d(0.5, 0.5, 0.0));
+  const PatchFoot found = NearestPatch(patches).to(corner + Vector3d(0.5, 0.5, 0.0));
   EXPECT_EQ(found.patch, 1);
   EXPECT_THAT(found.foot.jet.point, IsNear(corner, 0.1));
   EXPECT_LE(found.foot.u, 1.0);
@@ -49,4 +49,4 @@ TEST(NearestPatch, StaysOnTheBorderForAPointBesideThePatches) {
 }
 
 }  // namespace
-}  // namespace fairing::analysis
+}  // namespace fairing::spline
