@@ -5,11 +5,10 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from .. import exchange, subelements
+from .. import subelements
 from ..choices import CONTINUITIES, DEPARTURES, ENERGIES, LAYOUTS, MATCHES, RESULTS, Choices
-from .placement import container_of, shape_in
-
-READ_ONLY, HIDDEN = 1, 4  # FreeCAD's property editor modes, as bits of addProperty's attributes
+from . import guidance_properties
+from .property_modes import READ_ONLY
 
 # name, type, group, tooltip
 CHOSEN = (
@@ -30,9 +29,7 @@ CHOSEN = (
      "mean-curvature-gradient changes its curvature as little as possible"),
     ("Degree", "App::PropertyInteger", "Shape", "Degree of the surface, 3 to 9; 0: chosen from the edges"),
     ("MaxPoles", "App::PropertyInteger", "Shape", "Largest number of control points"),
-    ("Reference", "App::PropertyLinkSubGlobal", "Guidance", "Faces whose normals and points guide the surface"),
-    ("Lambda", "App::PropertyFloat", "Guidance", "Weight of the reference's normals, 0: none"),
-    ("Gamma", "App::PropertyFloat", "Guidance", "Weight of the reference's points, 0: none"),
+    *guidance_properties.ASKED,
     ("ResultMode", "App::PropertyEnumeration", "Result",
      "patches: the new faces; shell: sewn to one another; base: sewn into the base, a solid where that closes it"),
 )
@@ -68,7 +65,7 @@ def defaults_of(plain: Choices) -> dict:
 
 
 def write(obj: App.DocumentObject, chosen: Choices, reference) -> None:
-    """Stores what is chosen; of the reference its link, (object, [names]) or None."""
+    """Stores what is chosen; of the reference its links, [(object, [names])]."""
     obj.Continuity = chosen.continuity
     obj.EdgeContinuity = [f"Edge{edge}={word}" for edge, word in chosen.edge_continuity]
     obj.EdgeDirections = [f"Edge{edge}={word} {' '.join(map(repr, direction))}"
@@ -80,15 +77,12 @@ def write(obj: App.DocumentObject, chosen: Choices, reference) -> None:
     obj.Energy = chosen.energy
     obj.Degree = chosen.degree
     obj.MaxPoles = chosen.max_poles
-    obj.Lambda = chosen.lambda_
-    obj.Gamma = chosen.gamma
-    obj.Reference = reference
+    guidance_properties.write(obj, chosen.lambda_, chosen.gamma, reference)
     obj.ResultMode = chosen.result
 
 
 def read(obj: App.DocumentObject) -> dict:
     """What an object's properties choose, as arguments of a request's of(). Raises ValueError with one sentence."""
-    reference = shape_in(container_of(obj), *obj.Reference) if obj.Reference else None
     directions = {"tangent": {}, "symmetry": {}}
     for edge, wish in wishes(obj, "EdgeDirections", "Edge7=tangent 0 0 1"):
         word, *numbers = wish.replace(",", " ").split() or [""]
@@ -98,9 +92,8 @@ def read(obj: App.DocumentObject) -> dict:
     return dict(
         edge_continuity=dict(wishes(obj, "EdgeContinuity", "Edge7=G0")), tangents=directions["tangent"],
         symmetry=directions["symmetry"], continuity=obj.Continuity, layout=obj.Layout, energy=obj.Energy,
-        lambda_=obj.Lambda, gamma=obj.Gamma, reference=exchange.data_of(reference) if reference else None,
         gap_tolerance=obj.GapTolerance.Value or None, angle_tolerance=obj.AngleTolerance.Value, degree=obj.Degree,
-        max_poles=obj.MaxPoles, result=obj.ResultMode)
+        max_poles=obj.MaxPoles, result=obj.ResultMode, **guidance_properties.read(obj))
 
 
 def wishes(obj: App.DocumentObject, name: str, sample: str, takes_objects: bool = False):

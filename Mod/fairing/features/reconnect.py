@@ -10,8 +10,10 @@ from .. import migrate
 from .blend_feature import BlendFeature
 from .fill_all_feature import FillAllFeature
 from .fill_feature import FillFeature
+from .guide_objects import FeatureCurveFeature, NormalHandleFeature
 
-FEATURES = {feature.TYPE: feature for feature in (FillFeature, FillAllFeature, BlendFeature)}
+FEATURES = {feature.TYPE: feature for feature in (FillFeature, FillAllFeature, BlendFeature, NormalHandleFeature,
+                                                  FeatureCurveFeature)}
 
 
 def dead_objects(document: App.Document) -> list[App.DocumentObject]:
@@ -45,9 +47,10 @@ def _reconnect_view(obj: App.DocumentObject) -> None:
         from ..views.blend_view import BlendView
         from ..views.fill_all_view import FillAllView
         from ..views.fill_view import FillView
+        from ..views.guide_view import VIEWS
 
-        view = {FillFeature.TYPE: FillView, FillAllFeature.TYPE: FillAllView,
-                BlendFeature.TYPE: BlendView}[migrate.kind_of(obj)]
+        view = {FillFeature.TYPE: FillView, FillAllFeature.TYPE: FillAllView, BlendFeature.TYPE: BlendView,
+                **VIEWS}[migrate.kind_of(obj)]
         view.attach_to(obj.ViewObject)
 
 

@@ -107,9 +107,7 @@ class FillChoices(LimitChoices):
         """A face picked in the 3D view joins the guide."""
         if not subelements.is_face(name):
             return
-        kept = self._session.reference
-        names = list(kept[1]) if kept and kept[0] is obj else []
-        self._set_guide((obj, names + [name] if name not in names else names))
+        self._set_guide(self._session.reference + [(obj, [name])])
 
     def show_layout(self, used: str) -> None:
         """What the automatic choice came to, beside its name; empty while that is not known."""
@@ -127,7 +125,7 @@ class FillChoices(LimitChoices):
         self._lambda.changed.connect(self._read)
         self._gamma.changed.connect(self._read)
         ui.guideButton.toggled.connect(self._show_hints)
-        ui.guideClearButton.clicked.connect(lambda: self._set_guide(None))
+        ui.guideClearButton.clicked.connect(lambda: self._set_guide([]))
 
     def _chosen(self) -> dict:
         return dict(super()._chosen(), layout=LAYOUTS[self._ui.layoutCombo.currentIndex()],
@@ -145,11 +143,10 @@ class FillChoices(LimitChoices):
         ui.guideButton.setText(
             translate("Fairing", "Pick faces in the 3D view") if self.is_picking_guide
             else _guide_text(reference) if reference else translate("Fairing", "Pick guiding faces"))
-        ui.guideClearButton.setEnabled(reference is not None)
-        self._lambda.set_enabled(reference is not None)
-        self._gamma.set_enabled(reference is not None)
+        ui.guideClearButton.setEnabled(bool(reference))
+        self._lambda.set_enabled(self._session.is_guided)
+        self._gamma.set_enabled(bool(reference))
 
 
 def _guide_text(reference) -> str:
-    obj, names = reference
-    return f"{obj.Label}: {', '.join(names)}" if names else obj.Label
+    return "; ".join(f"{obj.Label}: {', '.join(names)}" if names else obj.Label for obj, names in reference)

@@ -41,9 +41,13 @@ class FillView:
         return icon(self.ICON)
 
     def claimChildren(self):
-        """A fill that contains its base stands above it in the tree, as Part's operations do."""
+        """A fill stands above its guides in the tree, and above its base where it contains it, as Part's operations
+        do."""
         obj = getattr(self, "object", None)
-        return self.bases_of(obj) if obj and obj.ResultMode == "base" else []
+        if not obj:
+            return []
+        bases = self.bases_of(obj) if obj.ResultMode == "base" else []
+        return bases + (obj.Guides if "Guides" in obj.PropertiesList else [])
 
     def setEdit(self, view_object, mode: int = EDIT_DEFAULT):
         return self.open_panel(view_object.Object) if mode == EDIT_DEFAULT else None
