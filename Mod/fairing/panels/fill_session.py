@@ -15,9 +15,7 @@ from ..features.fill_properties import read_request
 from ..features.placement import container_for_results, container_of, placement_of, shape_in
 from ..fill_request import FillRequest
 from .commands import link_command, object_command, run_as_one_step
-from .guided_session import GuidedSession
-
-MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
+from .guided_session import MESH_POINTS, GuidedSession
 
 
 class FillSession(GuidedSession):

@@ -12,6 +12,8 @@ from ..features import guide_objects, links
 from ..features.guides import FeatureCurve, Guide, guides_of, merged_text, script_of
 from .commands import link_command
 
+MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
+
 
 class GuidedSession:
     """Mixed into sessions that have a `request`, a `container` and change(). `reference` holds links, `guides` handles
@@ -44,18 +46,29 @@ class GuidedSession:
         guides[position] = dataclasses.replace(guides[position], **changes)
         self.set_guides(guides)
 
+    def normal_of(self, position: int):
+        """Of a handle, looked up where it is taken from something."""
+        return tuple(self._natives[self.guides[position]]["normal"])
+
     @property
     def is_guided(self) -> bool:
         return bool(self.reference or self.guides)
 
+    @property
+    def has_points(self) -> bool:
+        """Whether anything tells where the surface is to be, and not only how it leans."""
+        return bool(self.reference)
+
     def guided(self, fill):
-        """A native result as it is under the guidance of now, at the cost of one solve. Raises FairingError."""
+        """A native result as it is under the guidance of now, at the cost of one solve, and its mesh. Raises
+        FairingError."""
         request = self.request
-        return fill.guiding(request.lambda_, request.gamma, json.loads(request.guide))
+        made = fill.guiding(request.lambda_, request.gamma, json.loads(request.guide))
+        return made, made.mesh(MESH_POINTS)
 
     def _read_guidance(self, obj: App.DocumentObject) -> None:
         self.reference = links.several(obj.Reference)
-        self.guides = guide_objects.read(obj)
+        self.set_guides(guide_objects.read(obj))
 
     def _look_guidance_up(self) -> None:
         """Again, in the coordinates of another container."""
