@@ -41,6 +41,12 @@ def current_picks() -> Optional[Picks]:
     return Picks(selected[0].Object, names) if all_edges or one_face else None
 
 
+def current_face() -> Optional[Picks]:
+    """The one face that is selected, or None."""
+    picks = current_picks()
+    return picks if picks and subelements.is_face(picks.names[0]) else None
+
+
 def current_edges() -> list[tuple[App.DocumentObject, list[str]]]:
     """The edges a blend can start from, object by object in the order of selection; empty where something else, or
     fewer than two, are selected."""

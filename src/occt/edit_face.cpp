@@ -13,6 +13,7 @@
 #include "occt/check_shape.h"
 #include "occt/convert_face.h"
 #include "occt/guarded.h"
+#include "occt/join.h"
 
 namespace fairing::occt {
 namespace {
@@ -83,7 +84,10 @@ EditRegion regionOf(const TopoDS_Face& face, const spline::BsplineSurface& surfa
 
 }  // namespace
 
-Result<ShapeEdit> editFace(const ShapeIndex& index, int number, const EditOptions& options) {
+Result<ShapeEdit> editFace(const ShapeIndex& index,
+                           int number,
+                           const EditOptions& options,
+                           ResultMode mode) {
   if (const auto wrong = validate(options)) return fail(*wrong);
   if (!index.hasFace(number))
     return fail({.code = ErrorCode::FaceOutOfRange,
@@ -92,7 +96,8 @@ Result<ShapeEdit> editFace(const ShapeIndex& index, int number, const EditOption
   return guarded([&]() -> Result<ShapeEdit> {
     const TopoDS_Face& face = index.face(number);
     const ConvertedSurface old = convertSurface(face);
-    auto edit = editSurface(old.surface, options, regionOf(face, old.surface));
+    const EditRegion region = regionOf(face, old.surface);
+    auto edit = editSurface(old.surface, options, region);
     if (!edit) {
       edit.error().face = number;
       return fail(edit.error());
@@ -102,7 +107,10 @@ Result<ShapeEdit> editFace(const ShapeIndex& index, int number, const EditOption
           {.code = analysis::NoteCode::FaceConverted, .value = old.deviation, .face = number});
     const TopoDS_Face made = onSurface(face, edit->surface, old.deviation);
     if (const auto error = checkShape(made)) return fail(*error);
-    return ShapeEdit{made, std::move(*edit)};
+    const double gap = edit->report.borderMove + old.deviation;
+    auto shape = joinResult(index, {number}, {{made, {}, gap}}, mode);
+    if (!shape) return fail(shape.error());
+    return ShapeEdit{made, std::move(*shape), std::move(*edit), static_cast<bool>(region.contains)};
   });
 }
 

@@ -43,14 +43,16 @@ def chosen(*names: str) -> tuple:
     return tuple(_BY_NAME[name] for name in names)
 
 
-def add(obj: App.DocumentObject, asked, measured, defaults: dict) -> None:
-    """Gives an object every property it does not have yet, with its default; existing ones keep their values."""
+def add(obj: App.DocumentObject, asked, measured, defaults: dict, words=None) -> None:
+    """Gives an object every property it does not have yet, with its default; existing ones keep their values. `words` are
+    what enumerations offer, WORDS where there are no others."""
+    words = words or WORDS
     for name, kind, group, tip in asked:
         is_new = name not in obj.PropertiesList
         if is_new:
             obj.addProperty(kind, name, group, tip)
-        if name in WORDS:
-            _offer(obj, name, None if is_new else getattr(obj, name))
+        if name in words:
+            _offer(obj, name, list(words[name]), None if is_new else getattr(obj, name))
         if is_new and name in defaults:
             setattr(obj, name, defaults[name])
     for name, kind, group, tip in measured:
@@ -106,10 +108,10 @@ def wishes(obj: App.DocumentObject, name: str, sample: str, takes_objects: bool 
         yield edge, wish
 
 
-def _offer(obj: App.DocumentObject, name: str, kept) -> None:
+def _offer(obj: App.DocumentObject, name: str, words: list[str], kept) -> None:
     """Today's words to choose from, also in objects that were made when there were fewer."""
-    if kept is None or obj.getEnumerationsOfProperty(name) != list(WORDS[name]):
-        setattr(obj, name, list(WORDS[name]))
+    if kept is None or obj.getEnumerationsOfProperty(name) != words:
+        setattr(obj, name, words)
         if kept is not None:
             setattr(obj, name, kept)
 

@@ -10,11 +10,11 @@ import FreeCAD as App
 
 from .. import exchange, subelements
 from ..features import links
-from ..features.fill_feature import NOTHING_PICKED
+from ..features.fill_feature import NOTHING_PICKED, FillFeature
 from ..features.fill_properties import read_request
 from ..features.placement import container_for_results, container_of, placement_of, shape_in
 from ..fill_request import FillRequest
-from .commands import link_command, object_command, run_as_one_step
+from .commands import link_command, make_as_one_step, object_command, run_as_one_step
 from .guided_session import MESH_POINTS, GuidedSession
 
 
@@ -117,10 +117,11 @@ class FillSession(GuidedSession):
 
     def commit(self) -> None:
         """Writes the fill into the document as one step to undo, by commands the macro recorder understands."""
-        title = "Fill hole" if self.obj is None else f"Edit {self.obj.Label}"
-        run_as_one_step(self.document, title, self._command())
         if self.obj is None:
-            self.obj = self.document.ActiveObject
+            self.obj = make_as_one_step(self.document, "Fill hole", self._command(), FillFeature.TYPE)
+        else:
+            run_as_one_step(self.document, f"Edit {self.obj.Label}", self._command())
+        self._read_guidance(self.obj)  # with the names of new guides
 
     def _use_base(self, base: App.DocumentObject) -> None:
         self.base = base

@@ -66,12 +66,12 @@ class GuidedPanel(SolvingPanel):
         guidance = self._guidance
         self._display.show_mesh(mesh)
         self._display.show_guidance(fill, guidance.shows_field, guidance.shows_net)
-        guidance.show_followed(*_followed(fill.report))
+        guidance.show_followed(*self._followed(fill.report))
 
     def _show_result(self, value):
         self._kept = value[0]
         shown = super()._show_result(value)
-        self._guidance.show_report(self._kept.report, *_followed(self._kept.report))
+        self._guidance.show_report(self._kept.report, *self._followed(self._kept.report))
         self._draw_guides()
         return shown
 
@@ -102,7 +102,6 @@ class GuidedPanel(SolvingPanel):
         self._display.guide_handles.show(handles, self._guidance.position, session.placement)
         self._display.guide_handles.is_placing = self._guidance.is_placing
 
-
-def _followed(report: dict) -> tuple:
-    """Of a report how well the guide is followed, and the energy."""
-    return report["guidance"], report["solve"]["energy"]
+    def _followed(self, report: dict) -> tuple:
+        """Of a report how well the guide is followed, and the energy."""
+        return report["guidance"], report["solve"]["energy"]

@@ -216,13 +216,17 @@ class SolvingPanel:
         ui.stopButton.clicked.connect(self._stop)
         ui.previewCheck.setChecked(settings.shows_preview())
         ui.previewCheck.toggled.connect(self._refresh)
-        ui.labelsCheck.setChecked(settings.shows_labels())
-        ui.labelsCheck.toggled.connect(self._display.show_labels)
-        self._display.show_labels(ui.labelsCheck.isChecked())
+        self._connect_labels()
         for widget in (ui.progressBar, ui.stopButton):
             keep = widget.sizePolicy()
             keep.setRetainSizeWhenHidden(True)  # nothing jumps while computing
             widget.setSizePolicy(keep)
+
+    def _connect_labels(self) -> None:
+        check = self._ui.labelsCheck
+        check.setChecked(settings.shows_labels())
+        check.toggled.connect(self._display.show_labels)
+        self._display.show_labels(check.isChecked())
 
     def _say(self, sign: Status, text: str) -> None:
         self._ui.verdictIcon.setPixmap(sign.pixmap(16) if text else QtGui.QPixmap())
@@ -248,11 +252,15 @@ class SolvingPanel:
         """A dock too narrow for the buttons is widened: nothing of the panel is cut off."""
         if self._is_closed:
             return
-        self._table.fit_height()
-        window, needed = Gui.getMainWindow(), max(NARROWEST, self._table.needed_width() + MARGINS)
+        window, needed = Gui.getMainWindow(), max(NARROWEST, self._needed_width() + MARGINS)
         for dock in window.findChildren(QtGui.QDockWidget):
             if dock.isAncestorOf(self.form[0]) and dock.width() < needed:
                 window.resizeDocks([dock], [needed], QtCore.Qt.Horizontal)
+
+    def _needed_width(self) -> int:
+        """Pixels for its table to show in full."""
+        self._table.fit_height()
+        return self._table.needed_width()
 
     # --- closing ---
 

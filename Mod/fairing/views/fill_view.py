@@ -15,8 +15,13 @@ class FillView:
     def __init__(self, view_object):
         view_object.ShapeColor = settings.patch_color()
         self.attach_to(view_object, self)
-        if view_object.Object.ResultMode == "base":
+        if self.replaces(view_object.Object):
             self._show_bases(view_object.Object, False)
+
+    @classmethod
+    def replaces(cls, obj) -> bool:
+        """Whether the result stands for its bases, too."""
+        return obj.ResultMode == "base"
 
     @staticmethod
     def bases_of(obj):
@@ -46,7 +51,7 @@ class FillView:
         obj = getattr(self, "object", None)
         if not obj:
             return []
-        bases = self.bases_of(obj) if obj.ResultMode == "base" else []
+        bases = self.bases_of(obj) if self.replaces(obj) else []
         return bases + (obj.Guides if "Guides" in obj.PropertiesList else [])
 
     def setEdit(self, view_object, mode: int = EDIT_DEFAULT):
@@ -67,7 +72,7 @@ class FillView:
         return True
 
     def onDelete(self, view_object, sub_elements) -> bool:
-        if view_object.Object.ResultMode == "base":
+        if self.replaces(view_object.Object):
             self._show_bases(view_object.Object, True)
         return True
 
