@@ -13,7 +13,7 @@ class EditDisplay(FillDisplay):
     """Draws an EditSession; its base is seen through meanwhile."""
 
     def __init__(self, view, session):
-        self._base, self._opacity = None, 0
+        self._base, self._looked = None, (0, True)
         super().__init__(view, session, lambda *_: None, lambda *_: None)
 
     def see_through(self, base) -> None:
@@ -21,11 +21,13 @@ class EditDisplay(FillDisplay):
         if base is self._base:
             return
         if self._base is not None:
-            self._base.ViewObject.Transparency = self._opacity
+            view, (transparency, was_shown) = self._base.ViewObject, self._looked
+            view.Transparency, view.Visibility = transparency, view.Visibility and was_shown
         self._base = base if base is not None and hasattr(base.ViewObject, "Transparency") else None
         if self._base is not None:
-            self._opacity = self._base.ViewObject.Transparency
-            self._base.ViewObject.Transparency = max(self._opacity, SEEN_THROUGH)
+            view = self._base.ViewObject
+            self._looked = view.Transparency, view.Visibility
+            view.Transparency, view.Visibility = max(view.Transparency, SEEN_THROUGH), True
 
     def show_border(self) -> None:
         """The face was chosen anew."""

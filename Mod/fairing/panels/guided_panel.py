@@ -46,6 +46,7 @@ class GuidedPanel(SolvingPanel):
     def _guide(self) -> None:
         """Shows the surface under another guide at once where there is one to start from; what OK takes is solved when
         the guide stays."""
+        self._draw_handles()
         if self._kept is None or not hasattr(self._kept, "guiding") or not self._ui.previewCheck.isChecked():
             self._refresh()
             return
@@ -59,7 +60,6 @@ class GuidedPanel(SolvingPanel):
         else:
             self._show_guided(*guided)
             self._settled.start()
-        self._draw_handles()
 
     def _show_guided(self, fill, mesh) -> None:
         """The surface and how it follows; the rest of its numbers are measured when it stays."""

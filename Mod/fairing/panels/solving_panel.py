@@ -240,6 +240,8 @@ class SolvingPanel:
         self._say(sign, text)
 
     def _show_busy(self, busy: bool) -> None:
+        label = self._ui.verdictLabel
+        label.setMinimumHeight(label.height() if busy else 0)  # what is below stays under the mouse
         self._ui.progressBar.setVisible(busy)
         self._ui.stopButton.setVisible(busy)
 
