@@ -1109,6 +1109,10 @@
    <source>Pick an edge, a face, a mesh or a datum.</source>
    <translation>Eine Kante, eine Fläche, ein Netz oder ein Bezugsobjekt anklicken.</translation>
   </message>
+  <message>
+   <source>{0} from the face as it was</source>
+   <translation>{0} von der Fläche, wie sie war</translation>
+  </message>
  </context>
  <context>
   <name>Fairing_BlendFaces</name>

@@ -85,8 +85,9 @@ class GuidanceBox(QtCore.QObject):
         self._add(NormalHandle(_rounded(point), _rounded(normal), self._radius()))
 
     def turn(self, position: int, **changes) -> None:
-        """A handle was dragged."""
-        self._session.change_guide(position, **{name: _rounded(value) for name, value in changes.items()}, direction=())
+        """A handle was dragged. One that is turned takes its direction from nothing any more."""
+        changes = {name: _rounded(value) for name, value in changes.items()}
+        self._session.change_guide(position, **changes, **({"direction": ()} if "normal" in changes else {}))
         self._fields.show(position)
         self._list.rename(position)
         self.moved.emit()
@@ -106,12 +107,12 @@ class GuidanceBox(QtCore.QObject):
         """How well the surface follows, and what that costs."""
         if report:
             self._diagonal = report["diagonal"]
-        self._ui.followLabel.setText(follow_text(guidance, energy))
+        self.show_followed(guidance, energy)
         self._ui.followLabel.setVisible(self._session.is_guided)
 
     def show_followed(self, guidance: Optional[dict], energy: float) -> None:
         """The same while something is dragged."""
-        self._ui.followLabel.setText(follow_text(guidance, energy))
+        self._ui.followLabel.setText(follow_text(guidance, energy, bool(self._session.reference)))
 
     def _connect(self) -> None:
         ui = self._ui
@@ -187,8 +188,8 @@ class GuidanceBox(QtCore.QObject):
         return float(f"{RADIUS * self._diagonal:.2g}")
 
 
-def follow_text(guidance: Optional[dict], energy: float) -> str:
-    """How well a surface follows its guide, in a line."""
+def follow_text(guidance: Optional[dict], energy: float, has_reference: bool) -> str:
+    """How well a surface follows its guide, in a line. Without a reference its points are those of the face edited."""
     if guidance is None:
         return ""
     parts = []
@@ -196,10 +197,12 @@ def follow_text(guidance: Optional[dict], energy: float) -> str:
         parts.append(translate("Fairing", "Follows within {0} rms, {1} at most").format(
             angle_text(guidance["rms_angle"]), angle_text(guidance["largest_angle"])))
     if guidance["points"]:
-        parts.append(translate("Fairing", "{0} from the reference").format(length_text(guidance["rms_distance"])))
+        apart = (translate("Fairing", "{0} from the reference") if has_reference
+                 else translate("Fairing", "{0} from the face as it was"))
+        parts.append(apart.format(length_text(guidance["rms_distance"])))
     if guidance["covered"] < 1.0:
         parts.append(translate("Fairing", "it covers {0}").format(percent_text(guidance["covered"])))
-    parts.append(translate("Fairing", "energy {0}").format(f"{energy:.4g}"))
+    parts.append(translate("Fairing", "energy {0}").format(f"{energy:.0f}" if energy >= 1000.0 else f"{energy:.3g}"))
     return "; ".join(parts)
 
 
