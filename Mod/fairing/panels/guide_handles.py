@@ -16,6 +16,7 @@ from .scene_mouse import SceneMouse
 LENGTH = 64.0  # pixels, of an arrow
 TIP, FOOT = 13.0, 9.0  # pixels, radii within which the mouse grabs either end
 LINE_WIDTH = 3.0  # pixels
+CIRCLE_SIDES = 64
 COLOR, CHOSEN, LIT = (0.80, 0.25, 0.15), (0.95, 0.45, 0.05), (1.0, 0.70, 0.20)
 
 
@@ -44,12 +45,12 @@ class GuideHandles(SceneHandles):
         self._want()
 
     def show(self, handles, chosen: int, placement: App.Placement) -> None:
-        """(position, point, normal) of every handle, and the position of the one that stands out."""
-        self._placement, self._positions = placement, [position for position, _, _ in handles]
+        """(position, point, normal, radius) of every handle, and the position of the one that stands out."""
+        self._placement, self._positions = placement, [position for position, *_ in handles]
         self._make(len(handles), _Arrow)
-        for arrow, (position, point, normal) in zip(self._arrows, handles):
+        for arrow, (position, point, normal, radius) in zip(self._arrows, handles):
             arrow.show(placement.multVec(App.Vector(*point)), placement.Rotation.multVec(App.Vector(*normal)),
-                       position == chosen)
+                       radius, position == chosen)
         self._light(self._lit)
 
     def use_mesh(self, mesh) -> None:
@@ -121,7 +122,8 @@ class GuideHandles(SceneHandles):
 
 
 class _Arrow:
-    """A ball at the foot, a line and a head, all of constant size."""
+    """A ball at the foot, a line and a head, all of constant size; round the chosen one's foot a circle where it has
+    faded to nothing."""
 
     def __init__(self):
         self.point, self.normal = App.Vector(), App.Vector(0, 0, 1)
@@ -138,11 +140,22 @@ class _Arrow:
         ball.radius = 0.07
         up.translation = (0, 0.94, 0)
         head.bottomRadius, head.height = 0.09, 0.24
-        for node in (hidden, light, style, self._color, self._place, self._size, points, line, ball, up, head):
+        constant = coin.SoSeparator()
+        for node in (self._size, points, line, ball, up, head):
+            constant.addChild(node)
+        self._circle, self._reach, ring, thin = coin.SoSwitch(), coin.SoScale(), coin.SoSeparator(), coin.SoDrawStyle()
+        thin.lineWidth = 1.0
+        for node in (thin, self._reach, *_unit_circle()):
+            ring.addChild(node)
+        self._circle.addChild(ring)
+        for node in (hidden, light, style, self._color, self._place, constant, self._circle):
             self.root.addChild(node)
 
-    def show(self, point: App.Vector, normal: App.Vector, is_chosen: bool) -> None:
+    def show(self, point: App.Vector, normal: App.Vector, radius: float, is_chosen: bool) -> None:
         self.point, self._is_chosen = point, is_chosen
+        self._circle.whichChild = coin.SO_SWITCH_ALL if is_chosen and radius > 0.0 else coin.SO_SWITCH_NONE
+        if radius > 0.0:
+            self._reach.scaleFactor = (radius, radius, radius)
         if normal.Length > 0.0:
             self.normal = App.Vector(normal).normalize()
         self._place.translation = tuple(point)
@@ -162,3 +175,12 @@ class _Arrow:
         length = self.length(mouse)
         if abs(length - self._size.scaleFactor.getValue()[0]) > 1e-5 * length:
             self._size.scaleFactor = (length, length, length)
+
+
+def _unit_circle():
+    """Round the y axis."""
+    points, line = coin.SoCoordinate3(), coin.SoLineSet()
+    angles = [2.0 * math.pi * k / CIRCLE_SIDES for k in range(CIRCLE_SIDES + 1)]
+    points.point.setValues(0, len(angles), [(math.cos(a), 0.0, math.sin(a)) for a in angles])
+    line.numVertices.setValue(len(angles))
+    return points, line

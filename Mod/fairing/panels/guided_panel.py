@@ -36,6 +36,12 @@ class GuidedPanel(SolvingPanel):
         handles.on_choose = self._guidance.select
         handles.on_place = self._guidance.place
 
+    def _show_object(self, shown: bool) -> None:
+        """The arrows to drag stand for its guides."""
+        super()._show_object(shown)
+        for guide in self._session.obj.Guides if self._session.obj else ():
+            guide.ViewObject.Visibility = shown
+
     def _turn(self, position: int, changes: dict) -> None:
         self._guidance.turn(position, **changes)
 
@@ -97,7 +103,7 @@ class GuidedPanel(SolvingPanel):
 
     def _draw_handles(self) -> None:
         session = self._session
-        handles = [(position, guide.point, session.normal_of(position)) for position, guide in enumerate(session.guides)
+        handles = [(position, guide.point, session.normal_of(position), guide.radius) for position, guide in enumerate(session.guides)
                    if isinstance(guide, NormalHandle)]
         self._display.guide_handles.show(handles, self._guidance.position, session.placement)
         self._display.guide_handles.is_placing = self._guidance.is_placing

@@ -247,8 +247,11 @@ class SolvingPanel:
 
     def _hide_object(self) -> None:
         """The preview stands for the object while the panel is open."""
+        self._show_object(False)
+
+    def _show_object(self, shown: bool) -> None:
         if self._session.obj:
-            self._session.obj.ViewObject.Visibility = False
+            self._session.obj.ViewObject.Visibility = shown
 
     def _make_room(self) -> None:
         """A dock too narrow for the buttons is widened: nothing of the panel is cut off."""
@@ -271,8 +274,7 @@ class SolvingPanel:
         document = self._session.document
         self._detach()
         self._display.remove()
-        if self._session.obj:
-            self._session.obj.ViewObject.Visibility = True
+        self._show_object(True)
         Gui.Control.closeDialog()
         with contextlib.suppress(NameError):  # FreeCAD's word for a document without a window
             Gui.getDocument(document.Name).resetEdit()
