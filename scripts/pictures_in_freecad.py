@@ -251,6 +251,26 @@ def blend_panel():
     gui.press("Cancel")
 
 
+def edit_panel():
+    """The panel of Edit Surface with a handle that leans: what users see."""
+    document = App.newDocument("edit")
+    base = document.addObject("Part::Feature", "Sheet")
+    base.Shape = wavy_sheet()
+    base.ViewObject.ShapeColor, base.ViewObject.Deviation = (0.62, 0.69, 0.77), 0.02
+    document.recompute()
+    middle = base.Shape.Faces[0].valueAt(0.5, 0.5)
+    handles = [{"point": tuple(middle + App.Vector(shift, 0, 0)), "normal": (lean, 0, 1), "radius": 22}
+               for shift, lean in ((-22, -0.6), (22, 0.6))]
+    edit = fairing.make_edit(base, "Face1", guides=handles, lambda_=2000)
+    look(gui.look_at_all(), turn=-25, tilt=52)
+    Gui.SendMsgToActiveView("ViewFit")
+    Gui.ActiveDocument.setEdit(edit.Name)
+    gui.settle()
+    gui.widget("guideList").setCurrentRow(1)
+    gui.picture("edit_panel")
+    gui.press("Cancel")
+
+
 def main():
     gui.start()
     fill_picture("star_fill", *rounded_corner(), turn=118, tilt=50, margin=1.4)
@@ -262,6 +282,7 @@ def main():
     picture("strip_blend", frames, *fairing.blend(frames, low, high), turn=25, tilt=62, margin=1.3)
     setback_picture("strip_setback")
     blend_panel()
+    edit_panel()
     fill_picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
 
 

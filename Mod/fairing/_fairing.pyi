@@ -55,6 +55,9 @@ class Blend(Fill):
 
 class Edit:
     def brep(self) -> bytes: ...
+    def mesh(
+        self, divisions: int = 32
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int32]]: ...
     @property
     def report(self) -> dict[str, Any]: ...
     @property
@@ -191,6 +194,7 @@ class Shape:
         keep: Optional[str] = None,
         degree: int = 0,
         spans: int = 0,
+        result: str = "patches",
     ) -> Edit: ...
     def measure(
         self,

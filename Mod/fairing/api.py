@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any, Iterable, Mapping, Optional
 
 import Part
@@ -11,6 +10,7 @@ import Part
 from . import exchange, native, subelements
 from .blend_request import BlendRequest
 from .choices import guide_text, triple
+from .edit_request import EditRequest
 from .fill_all_request import FillAllRequest
 from .fill_request import FillRequest
 
@@ -95,7 +95,7 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
 
 def edit(shape: Part.Shape, face: subelements.Pick, *, reference: Optional[Part.Shape] = None, guide: Any = (),
          lambda_: float = 0.0, gamma: float = 0.0, energy: str = "thin-plate", keep: Optional[str] = None,
-         degree: int = 0, spans: int = 0) -> tuple[Part.Shape, dict]:
+         degree: int = 0, spans: int = 0, result: str = "patches") -> tuple[Part.Shape, dict]:
     """Shapes one face of a shape anew, its border kept. Returns the new face and the report on it.
 
     face       the face, "Face3" or 3
@@ -108,13 +108,13 @@ def edit(shape: Part.Shape, face: subelements.Pick, *, reference: Optional[Part.
     keep       what stays along the border: "G0", "G1" or "G2"; None: "G1", or "G0" for the membrane
     degree     3 to 9: raises the face's degree to it
     spans      1 to 64: splits the face into as many along each direction
+    result     "patches": the new face; "shell": a shell of it; "base": the shape with the new face in its place
     Raises FairingError with one sentence where that cannot be done.
     """
     number, = subelements.face_numbers(_face_names(face)) or (0,)
-    done = exchange.native_shape(shape).edit(
-        number, energy=energy, lambda_=lambda_, gamma=gamma,
-        reference=exchange.data_of(reference) if reference else None, guide=json.loads(guide_text(guide)), keep=keep,
-        degree=degree, spans=spans)
+    done = EditRequest(face=number, energy=energy, lambda_=lambda_, gamma=gamma,
+                       reference=exchange.data_of(reference) if reference else None, guide=guide_text(guide), keep=keep,
+                       degree=degree, spans=spans, result=result).solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
 
 

@@ -17,6 +17,8 @@ CONTINUITIES = ("G0", "G1", "G2")
 LAYOUTS = ("auto", "quad", "star", "o-grid", "trimmed")
 ENERGIES = ("thin-plate", "membrane", "mean-curvature-gradient")
 RESULTS = ("patches", "shell", "base")
+EDIT_ENERGIES = ("thin-plate", "membrane")  # of an edit
+KEEPS = ("auto", *CONTINUITIES)  # what an edit keeps of a border
 
 DEPARTURES = ("free", "perpendicular", "iso")
 MATCHES = ("auto", "length", "corners")

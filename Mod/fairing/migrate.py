@@ -11,10 +11,22 @@ import FreeCAD as App
 
 MARK = "FairingType"
 VERSION = "FairingVersion"
-CURRENT = 1  # raised whenever a property is renamed or changes its meaning
-UPDATES = {}  # version -> function that makes an object of it one of the next version
+CURRENT = 2  # raised whenever a property is renamed or changes its meaning
 
 _READ_ONLY_HIDDEN = 1 | 4
+
+
+def _let_reference_hold_several(obj: App.DocumentObject) -> None:
+    """Version 1 had a reference of one object alone."""
+    if "Reference" not in obj.PropertiesList:
+        return
+    kept = obj.Reference
+    obj.removeProperty("Reference")
+    obj.addProperty("App::PropertyLinkSubListGlobal", "Reference", "Guidance")
+    obj.Reference = [(kept[0], list(kept[1]) or [""])] if kept else []
+
+
+UPDATES = {1: _let_reference_hold_several}  # version -> function that makes an object of it one of the next version
 
 
 def mark(obj: App.DocumentObject, kind: str) -> None:

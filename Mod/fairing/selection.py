@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import enum
 from typing import Callable, Optional
 
 import FreeCAD as App
@@ -40,6 +41,12 @@ def current_picks() -> Optional[Picks]:
     return Picks(selected[0].Object, names) if all_edges or one_face else None
 
 
+def current_face() -> Optional[Picks]:
+    """The one face that is selected, or None."""
+    picks = current_picks()
+    return picks if picks and subelements.is_face(picks.names[0]) else None
+
+
 def current_edges() -> list[tuple[App.DocumentObject, list[str]]]:
     """The edges a blend can start from, object by object in the order of selection; empty where something else, or
     fewer than two, are selected."""
@@ -68,12 +75,19 @@ def has_shapes(document: App.Document) -> bool:
     return any(has_shape(obj) for obj in document.Objects)
 
 
-class EdgeGate:
-    """Selection gate: edges and faces of shapes, or, while takes_points() says so, vertices, edges and whole objects;
-    the status bar says what is missing otherwise."""
+class Wanted(enum.Enum):
+    """What a panel takes."""
 
-    def __init__(self, excluded: Optional[App.DocumentObject] = None, takes_points=lambda: False):
-        self._excluded, self._takes_points = excluded, takes_points
+    EDGES = enum.auto()  # and faces
+    POINTS = enum.auto()  # vertices, edges and whole objects
+    GUIDES = enum.auto()  # edges, faces, meshes and whole objects
+
+
+class PanelGate:
+    """Selection gate: what wanted() says; the status bar tells what is missing otherwise."""
+
+    def __init__(self, excluded: Optional[App.DocumentObject] = None, wanted=lambda: Wanted.EDGES):
+        self._excluded, self._wanted = excluded, wanted
 
     def allow(self, document: App.Document, obj: App.DocumentObject, sub: str) -> bool:
         reason = self._reason(obj, subelements.local_name(sub or ""))
@@ -84,7 +98,11 @@ class EdgeGate:
     def _reason(self, obj: App.DocumentObject, name: str) -> str:
         if self._excluded is not None and obj is self._excluded:
             return translate("Fairing", "This is the surface being made: pick an edge of the hole beside it.")
-        if self._takes_points():
+        wanted = self._wanted()
+        if wanted is Wanted.GUIDES:
+            if subelements.is_vertex(name):
+                return translate("Fairing", "Pick an edge, a face, a mesh or a datum.")
+        elif wanted is Wanted.POINTS:
             if name and not subelements.is_edge(name) and not subelements.is_vertex(name):
                 return translate("Fairing", "Pick a point, an edge, a sketch or a datum point.")
         elif not subelements.is_edge(name) and not subelements.is_face(name):

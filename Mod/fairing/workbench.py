@@ -20,12 +20,14 @@ def icon(name: str) -> str:
 def register_commands() -> list[str]:
     """Names of the commands in the order of the toolbar."""
     from .commands.blend_faces import BlendFacesCommand
+    from .commands.edit_surface import EditSurfaceCommand
     from .commands.fill_all_holes import FillAllHolesCommand
     from .commands.fill_hole import FillHoleCommand
     from .commands.reconnect import ReconnectCommand
     import FreeCADGui as Gui
 
-    commands = [FillHoleCommand(), FillAllHolesCommand(), BlendFacesCommand(), ReconnectCommand()]
+    commands = [FillHoleCommand(), FillAllHolesCommand(), BlendFacesCommand(), EditSurfaceCommand(),
+                ReconnectCommand()]
     # The macro recorder writes `import <file that added the command>` into every macro: let that be the package.
     add = compile("add(command.NAME, command)", "fairing.py", "exec")
     for command in commands:
@@ -37,9 +39,11 @@ def context_commands() -> list[str]:
     """Names of the commands in the 3D view's context menu: those that make something of what is selected."""
     from . import selection
     from .commands.blend_faces import BlendFacesCommand
+    from .commands.edit_surface import EditSurfaceCommand
     from .commands.fill_hole import FillHoleCommand
 
-    return [FillHoleCommand.NAME] + [BlendFacesCommand.NAME] * bool(selection.current_edges())
+    return ([FillHoleCommand.NAME] + [BlendFacesCommand.NAME] * bool(selection.current_edges())
+            + [EditSurfaceCommand.NAME] * bool(selection.current_face()))
 
 
 def start(workbench) -> None:

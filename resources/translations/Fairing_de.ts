@@ -450,6 +450,10 @@
    <source>Let the ends leave the chosen edge or face, or all</source>
    <translation>Die Enden von der gewählten Kante oder Fläche lösen, oder von allen</translation>
   </message>
+  <message>
+   <source>What the ends of the blend follow, with the gap as measured</source>
+   <translation>Dem die Enden der Verbindung folgen, mit dem gemessenen Abstand</translation>
+  </message>
  </context>
  <context>
   <name>FairingFillPanel</name>
@@ -659,42 +663,6 @@
   <message>
    <source>Least change of curvature</source>
    <translation>Geringste Krümmungsänderung</translation>
-  </message>
-  <message>
-   <source>Guide</source>
-   <translation>Führung</translation>
-  </message>
-  <message>
-   <source>Pick guiding faces</source>
-   <translation>Führende Flächen wählen</translation>
-  </message>
-  <message>
-   <source>Pick faces in the 3D view whose normals and points guide the surface</source>
-   <translation>In der 3D-Ansicht Flächen anklicken, deren Normalen und Punkte die Fläche führen</translation>
-  </message>
-  <message>
-   <source>✕</source>
-   <translation>✕</translation>
-  </message>
-  <message>
-   <source>No guide</source>
-   <translation>Keine Führung</translation>
-  </message>
-  <message>
-   <source>Normals λ</source>
-   <translation>Normalen λ</translation>
-  </message>
-  <message>
-   <source>How strongly the surface follows the normals of the guiding faces; 0 (left): not at all. Default: 0</source>
-   <translation>Wie stark die Fläche den Normalen der führenden Flächen folgt; 0 (links): gar nicht. Vorgabe: 0</translation>
-  </message>
-  <message>
-   <source>Points γ</source>
-   <translation>Punkte γ</translation>
-  </message>
-  <message>
-   <source>How strongly the surface follows the points of the guiding faces; 0 (left): not at all. Default: 0</source>
-   <translation>Wie stark die Fläche den Punkten der führenden Flächen folgt; 0 (links): gar nicht. Vorgabe: 0</translation>
   </message>
   <message>
    <source>Result and limits</source>
@@ -1006,10 +974,6 @@
    <translation>Automatisch</translation>
   </message>
   <message>
-   <source>Pick faces in the 3D view</source>
-   <translation>Flächen in der 3D-Ansicht wählen</translation>
-  </message>
-  <message>
    <source>Bends as little as possible.</source>
    <translation>Biegt sich so wenig wie möglich.</translation>
   </message>
@@ -1020,10 +984,6 @@
   <message>
    <source>Changes its curvature as little as possible: the fairest, and the slowest.</source>
    <translation>Ändert ihre Krümmung so wenig wie möglich: am schönsten und am langsamsten.</translation>
-  </message>
-  <message>
-   <source>Pick guiding faces</source>
-   <translation>Führende Flächen wählen</translation>
   </message>
   <message>
    <source>Found by itself: it continues a picked edge smoothly</source>
@@ -1089,6 +1049,70 @@
    <source>Pick an edge that leads from rim to rim.</source>
    <translation>Eine Kante anklicken, die von Rand zu Rand führt.</translation>
   </message>
+  <message>
+   <source>Pick the face to be shaped anew.</source>
+   <translation>Die Fläche anklicken, die neu geformt werden soll.</translation>
+  </message>
+  <message>
+   <source>Click on the surface where it is to have a normal.</source>
+   <translation>Auf die Fläche klicken, wo sie eine Normale haben soll.</translation>
+  </message>
+  <message>
+   <source>Pick an edge, or a sketch, for the surface to follow.</source>
+   <translation>Eine Kante oder eine Skizze anklicken, der die Fläche folgen soll.</translation>
+  </message>
+  <message>
+   <source>Pick a face, a mesh or an object that the surface is to be like.</source>
+   <translation>Eine Fläche, ein Netz oder ein Objekt anklicken, dem die Fläche gleichen soll.</translation>
+  </message>
+  <message>
+   <source>Pick a face, an edge or a datum with the direction.</source>
+   <translation>Eine Fläche, eine Kante oder ein Bezugsobjekt mit der Richtung anklicken.</translation>
+  </message>
+  <message>
+   <source>energy {0}</source>
+   <translation>Energie {0}</translation>
+  </message>
+  <message>
+   <source>Follows within {0} rms, {1} at most</source>
+   <translation>Folgt auf {0} im Mittel (RMS), höchstens {1}</translation>
+  </message>
+  <message>
+   <source>{0} from the reference</source>
+   <translation>{0} vom Vorbild</translation>
+  </message>
+  <message>
+   <source>it covers {0}</source>
+   <translation>es deckt {0}</translation>
+  </message>
+  <message>
+   <source>Pick it</source>
+   <translation>Anklicken</translation>
+  </message>
+  <message>
+   <source>From …</source>
+   <translation>Von …</translation>
+  </message>
+  <message>
+   <source>{0}  Normal ({1})</source>
+   <translation>{0}  Normale ({1})</translation>
+  </message>
+  <message>
+   <source>{0}  Along {1}</source>
+   <translation>{0}  Entlang {1}</translation>
+  </message>
+  <message>
+   <source>{0}  Normal from {1}</source>
+   <translation>{0}  Normale von {1}</translation>
+  </message>
+  <message>
+   <source>Pick an edge, a face, a mesh or a datum.</source>
+   <translation>Eine Kante, eine Fläche, ein Netz oder ein Bezugsobjekt anklicken.</translation>
+  </message>
+  <message>
+   <source>{0} from the face as it was</source>
+   <translation>{0} von der Fläche, wie sie war</translation>
+  </message>
  </context>
  <context>
   <name>Fairing_BlendFaces</name>
@@ -1136,6 +1160,235 @@
   <message>
    <source>Make fills compute again that were saved by a FreeCAD without Fairing</source>
    <translation>Füllungen wieder rechnen lassen, die ein FreeCAD ohne Fairing gespeichert hat</translation>
+  </message>
+ </context>
+ <context>
+  <name>FairingEditPanel</name>
+  <message>
+   <source>Edit Surface</source>
+   <translation>Fläche umformen</translation>
+  </message>
+  <message>
+   <source>Face</source>
+   <translation>Fläche</translation>
+  </message>
+  <message>
+   <source>Pick the face to be shaped anew.</source>
+   <translation>Die Fläche anklicken, die neu geformt werden soll.</translation>
+  </message>
+  <message>
+   <source>The face that is shaped anew; pick another one in the 3D view</source>
+   <translation>Die Fläche, die neu geformt wird; eine andere in der 3D-Ansicht anklicken</translation>
+  </message>
+  <message>
+   <source>Border</source>
+   <translation>Rand</translation>
+  </message>
+  <message>
+   <source>What stays along the border. The more stays, the less is free inside. Automatic: tangents, and the place alone for the membrane</source>
+   <translation>Was am Rand bleibt. Je mehr bleibt, desto weniger ist innen frei. Automatisch: die Tangenten, bei der Membran nur der Ort</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>G0: stays in place</source>
+   <translation>G0: bleibt am Ort</translation>
+  </message>
+  <message>
+   <source>G1: keeps its tangents</source>
+   <translation>G1: behält seine Tangenten</translation>
+  </message>
+  <message>
+   <source>G2: keeps its curvature</source>
+   <translation>G2: behält seine Krümmung</translation>
+  </message>
+  <message>
+   <source>Energy</source>
+   <translation>Energie</translation>
+  </message>
+  <message>
+   <source>What the surface minimises inside its border: a thin plate bends, a membrane stretches as little as possible. Default: Thin plate</source>
+   <translation>Was die Fläche innerhalb des Randes klein hält: Eine dünne Platte biegt, eine Membran dehnt sich so wenig wie möglich. Vorgabe: Dünne Platte</translation>
+  </message>
+  <message>
+   <source>Thin plate</source>
+   <translation>Dünne Platte</translation>
+  </message>
+  <message>
+   <source>Membrane</source>
+   <translation>Membran</translation>
+  </message>
+  <message>
+   <source>Spans</source>
+   <translation>Felder</translation>
+  </message>
+  <message>
+   <source>Splits the face into as many spans along each direction: more spans, more detail. Default: those of the face</source>
+   <translation>Teilt die Fläche in so viele Felder je Richtung: mehr Felder, mehr Einzelheiten. Vorgabe: die der Fläche</translation>
+  </message>
+  <message>
+   <source>Auto</source>
+   <translation>Auto</translation>
+  </message>
+  <message>
+   <source>Degree</source>
+   <translation>Grad</translation>
+  </message>
+  <message>
+   <source>Raises the degree of the face, 3 to 9. Default: that of the face</source>
+   <translation>Erhöht den Grad der Fläche, 3 bis 9. Vorgabe: der der Fläche</translation>
+  </message>
+  <message>
+   <source>Result</source>
+   <translation>Ergebnis</translation>
+  </message>
+  <message>
+   <source>What the new object holds. Default: the base with the new face, or the face alone where the base has no other</source>
+   <translation>Was das neue Objekt enthält. Vorgabe: die Basis mit der neuen Fläche, oder die Fläche allein, wo die Basis keine andere hat</translation>
+  </message>
+  <message>
+   <source>New face</source>
+   <translation>Neue Fläche</translation>
+  </message>
+  <message>
+   <source>New face as a shell</source>
+   <translation>Neue Fläche als Hülle</translation>
+  </message>
+  <message>
+   <source>Base with the new face in it</source>
+   <translation>Basis mit der neuen Fläche darin</translation>
+  </message>
+  <message>
+   <source>Preview</source>
+   <translation>Vorschau</translation>
+  </message>
+  <message>
+   <source>Show the surface while choosing</source>
+   <translation>Die Fläche beim Auswählen zeigen</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Stop computing</source>
+   <translation>Die Berechnung anhalten</translation>
+  </message>
+ </context>
+ <context>
+  <name>FairingGuidance</name>
+  <message>
+   <source>Guidance</source>
+   <translation>Führung</translation>
+  </message>
+  <message>
+   <source>Normal</source>
+   <translation>Normale</translation>
+  </message>
+  <message>
+   <source>Click on the surface: it gets a normal there, as an arrow to drag</source>
+   <translation>Auf die Fläche klicken: Sie bekommt dort eine Normale, als Pfeil zum Ziehen</translation>
+  </message>
+  <message>
+   <source>Curve</source>
+   <translation>Kurve</translation>
+  </message>
+  <message>
+   <source>Pick edges or sketches in the 3D view: the surface takes a normal along them, that of the faces beside them until another is chosen</source>
+   <translation>Kanten oder Skizzen in der 3D-Ansicht anklicken: Die Fläche nimmt entlang von ihnen eine Normale an, die der Flächen daneben, bis eine andere gewählt wird</translation>
+  </message>
+  <message>
+   <source>Reference</source>
+   <translation>Vorbild</translation>
+  </message>
+  <message>
+   <source>Pick faces, meshes or whole objects in the 3D view whose normals and points guide the surface</source>
+   <translation>Flächen, Netze oder ganze Objekte in der 3D-Ansicht anklicken, deren Normalen und Punkte die Fläche führen</translation>
+  </message>
+  <message>
+   <source>Take the selected guide away</source>
+   <translation>Die gewählte Führung wegnehmen</translation>
+  </message>
+  <message>
+   <source>What guides the surface. A selected guide shows its values below</source>
+   <translation>Was die Fläche führt. Die gewählte Zeile zeigt ihre Werte darunter</translation>
+  </message>
+  <message>
+   <source>Direction</source>
+   <translation>Richtung</translation>
+  </message>
+  <message>
+   <source>Direction of the normal; its length does not matter</source>
+   <translation>Richtung der Normalen; ihre Länge ist gleichgültig</translation>
+  </message>
+  <message>
+   <source>From …</source>
+   <translation>Von …</translation>
+  </message>
+  <message>
+   <source>Pick a face, an edge or a datum that tells the direction; of a curve, the faces whose normals it takes</source>
+   <translation>Eine Fläche, eine Kante oder ein Bezugsobjekt anklicken, das die Richtung angibt; bei einer Kurve die Flächen, deren Normalen sie annimmt</translation>
+  </message>
+  <message>
+   <source>Weight</source>
+   <translation>Gewicht</translation>
+  </message>
+  <message>
+   <source>How much this guide counts among the others. Default: 1</source>
+   <translation>Wie viel diese Führung neben den anderen zählt. Vorgabe: 1</translation>
+  </message>
+  <message>
+   <source>Radius</source>
+   <translation>Radius</translation>
+  </message>
+  <message>
+   <source>Distance over which this guide fades to nothing, a length. Default: a quarter of the surface</source>
+   <translation>Abstand, über den diese Führung ganz ausklingt, eine Länge. Vorgabe: ein Viertel der Fläche</translation>
+  </message>
+  <message>
+   <source>Normals λ</source>
+   <translation>Normalen λ</translation>
+  </message>
+  <message>
+   <source>How strongly the surface follows the guiding normals; 0 (left): not at all. Begin with 10 to 100. Default: 0</source>
+   <translation>Wie stark die Fläche den führenden Normalen folgt; 0 (links): gar nicht. Mit 10 bis 100 beginnen. Vorgabe: 0</translation>
+  </message>
+  <message>
+   <source>Points γ</source>
+   <translation>Punkte γ</translation>
+  </message>
+  <message>
+   <source>How strongly the surface is pulled to the points of the reference; 0 (left): not at all. Default: 0</source>
+   <translation>Wie stark die Fläche zu den Punkten des Vorbilds gezogen wird; 0 (links): gar nicht. Vorgabe: 0</translation>
+  </message>
+  <message>
+   <source>Field</source>
+   <translation>Feld</translation>
+  </message>
+  <message>
+   <source>Show the guiding normals as arrows, the stronger the redder. Default: off</source>
+   <translation>Die führenden Normalen als Pfeile zeigen, je stärker, desto röter. Vorgabe: aus</translation>
+  </message>
+  <message>
+   <source>Control net</source>
+   <translation>Kontrollnetz</translation>
+  </message>
+  <message>
+   <source>Show the control points of the surface and the net between them. Default: off</source>
+   <translation>Die Kontrollpunkte der Fläche und das Netz dazwischen zeigen. Vorgabe: aus</translation>
+  </message>
+ </context>
+ <context>
+  <name>Fairing_EditSurface</name>
+  <message>
+   <source>Edit Surface</source>
+   <translation>Fläche umformen</translation>
+  </message>
+  <message>
+   <source>Shape a face anew by normals, curves and other surfaces, its border kept: pick the face</source>
+   <translation>Eine Fläche nach Normalen, Kurven und anderen Flächen neu formen, ihr Rand bleibt: die Fläche anklicken</translation>
   </message>
  </context>
 </TS>

@@ -13,6 +13,7 @@
 #include "occt/check_shape.h"
 #include "occt/convert_face.h"
 #include "occt/guarded.h"
+#include "occt/join.h"
 
 namespace fairing::occt {
 namespace {
@@ -92,12 +93,14 @@ Result<FaceEdit> FaceEdit::make(const ShapeIndex& index, int number, const EditO
   return guarded([&]() -> Result<FaceEdit> {
     const TopoDS_Face& face = index.face(number);
     const ConvertedSurface old = convertSurface(face);
-    auto edit = SurfaceEdit::make(old.surface, options, regionOf(face, old.surface));
+    const EditRegion region = regionOf(face, old.surface);
+    auto edit = SurfaceEdit::make(old.surface, options, region);
     if (!edit) {
       edit.error().face = number;
       return fail(edit.error());
     }
-    return FaceEdit(number, face, old.deviation, std::move(*edit));
+    return FaceEdit(
+        number, face, static_cast<bool>(region.contains), old.deviation, std::move(*edit));
   });
 }
 
@@ -121,15 +124,23 @@ Result<ShapeEdit> FaceEdit::faced(Result<EditResult> edit) const {
         {.code = analysis::NoteCode::FaceConverted, .value = deviation_, .face = number_});
   const TopoDS_Face made = onSurface(face_, edit->surface, deviation_);
   if (const auto error = checkShape(made)) return fail(*error);
-  return ShapeEdit{made, std::move(*edit)};
+  return ShapeEdit{made, made, std::move(*edit), trimmed_};
 }
 
-Result<ShapeEdit> editFace(const ShapeIndex& index, int number, const EditOptions& options) {
+Result<ShapeEdit> editFace(const ShapeIndex& index,
+                           int number,
+                           const EditOptions& options,
+                           ResultMode mode) {
   auto made = FaceEdit::make(index, number, options);
   if (!made) return fail(made.error());
   const auto live = std::make_shared<FaceEdit>(std::move(*made));
   auto edit = live->settled(options.guidance);
-  if (edit) edit->live = live;
+  if (!edit) return edit;
+  const double gap = edit->edit.report.borderMove + live->deviation();
+  auto shape = joinResult(index, {number}, {{edit->face, {}, gap}}, mode);
+  if (!shape) return fail(shape.error());
+  edit->shape = std::move(*shape);
+  edit->live = live;
   return edit;
 }
 

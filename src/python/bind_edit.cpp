@@ -5,7 +5,9 @@
 #include "occt/shape_bytes.h"
 #include "python/bindings.h"
 #include "python/conversions.h"
+#include "python/edit_mesh.h"
 #include "python/guided_methods.h"
+#include "python/mesh_arrays.h"
 #include "text/edit_text.h"
 #include "text/words.h"
 
@@ -26,15 +28,26 @@ ShapeEdit edit(const ShapeIndex& shape,
                const py::object& guide,
                const std::optional<std::string>& keep,
                int degree,
-               int spans) {
+               int spans,
+               const std::string& result) {
   EditOptions options;
   options.energy = choice(text::energyFrom, "energy", energy);
   if (keep) options.keep = choice(text::continuityFrom, "keep", *keep);
   options.guidance = guidanceOf(lambda, gamma, reference, guide);
   options.degree = degree;
   options.spans = spans;
+  const occt::ResultMode mode = choice(occt::resultModeFrom, "result", result);
   const py::gil_scoped_release release;
-  return valueOf(occt::editFace(shape, face, options));
+  return valueOf(occt::editFace(shape, face, options, mode));
+}
+
+py::tuple mesh(const ShapeEdit& edit, int divisions) {
+  Mesh made;
+  {
+    const py::gil_scoped_release release;
+    made = meshOf(edit, divisions);
+  }
+  return arraysOf(made);
 }
 
 }  // namespace
@@ -48,7 +61,12 @@ void bindEdit(py::module_& module, py::class_<ShapeIndex>& shape) {
           [](const ShapeEdit& edit) {
             return py::bytes(valueOf(occt::bytesFromShape(edit.shape)));
           },
-          "The new face as BREP text.")
+          "The result as BREP text: the new face, a shell of it, or the base, as asked for.")
+      .def("mesh",
+           &mesh,
+           py::arg("divisions") = 32,
+           "Triangles of the new face for drawing: points and unit normals (float32, n x 3), "
+           "triangles (int32, m x 3).")
       .def_property_readonly(
           "report",
           [](const ShapeEdit& edit) { return objectOf(text::toJson(edit.edit).dump()); },
@@ -73,9 +91,11 @@ void bindEdit(py::module_& module, py::class_<ShapeIndex>& shape) {
       py::arg("keep") = py::none(),
       py::arg("degree") = 0,
       py::arg("spans") = 0,
+      py::arg("result") = "patches",
       "Shapes a face anew: of least energy under guidance, its border kept. reference and guide "
       "are those of fill(); without them the face itself guides. keep is G0, G1 or G2 (None: G1, "
-      "or G0 for the membrane). The GIL is released while solving. Raises FairingError.");
+      "or G0 for the membrane). result is patches (the face alone), shell or base. The GIL is "
+      "released while solving. Raises FairingError.");
 }
 
 }  // namespace fairing::python

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pybind11/numpy.h>
-
 #include "occt/fill_shape.h"
 #include "occt/shape_bytes.h"
 #include "python/bindings.h"
 #include "python/error_to_python.h"
 #include "python/fill_mesh.h"
 #include "python/guided_methods.h"
+#include "python/mesh_arrays.h"
 #include "text/report_json.h"
 #include "text/report_text.h"
 
@@ -25,21 +24,13 @@ py::object report(const ShapeFill& fill) {
   return py::module_::import("json").attr("loads")(text::toJson(fill.fill).dump());
 }
 
-/// Copies a list of numbers into an array with three columns.
-template <class Number>
-py::array_t<Number> rowsOfThree(const std::vector<Number>& numbers) {
-  const auto rows = static_cast<py::ssize_t>(numbers.size() / 3);
-  return py::array_t<Number>({rows, py::ssize_t{3}}, numbers.data());
-}
-
 py::tuple mesh(const ShapeFill& fill, int divisions) {
   Mesh made;
   {
     const py::gil_scoped_release release;
     made = meshOf(fill.fill, divisions);
   }
-  return py::make_tuple(
-      rowsOfThree(made.points), rowsOfThree(made.normals), rowsOfThree(made.triangles));
+  return arraysOf(made);
 }
 
 }  // namespace

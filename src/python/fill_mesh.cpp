@@ -9,7 +9,13 @@
 namespace fairing::python {
 Mesh meshOf(const FillResult& fill, int divisions) {
   if (!fill.trims.empty()) return trimmedMeshOf(fill, std::max(divisions, 1));
-  const auto grid = analysis::tessellate(fill.patches, fill.reversed, std::max(divisions, 1));
+  return meshOf(fill.patches, fill.reversed, std::max(divisions, 1));
+}
+
+Mesh meshOf(const std::vector<spline::BsplineSurface>& surfaces,
+            const std::vector<bool>& reversed,
+            int divisions) {
+  const auto grid = analysis::tessellate(surfaces, reversed, divisions);
   const auto listOf = [](const auto& matrix) {
     return std::vector(matrix.data(), matrix.data() + matrix.size());
   };

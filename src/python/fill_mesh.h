@@ -18,4 +18,9 @@ struct Mesh {
 /// fine (trimmed_mesh.h).
 [[nodiscard]] Mesh meshOf(const FillResult& fill, int divisions);
 
+/// The same of surfaces that are all of their faces.
+[[nodiscard]] Mesh meshOf(const std::vector<spline::BsplineSurface>& surfaces,
+                          const std::vector<bool>& reversed,
+                          int divisions);
+
 }  // namespace fairing::python

@@ -43,10 +43,17 @@ void addFace(Mesh& mesh,
 }  // namespace
 
 Mesh trimmedMeshOf(const FillResult& fill, int divisions) {
-  const TopoDS_Shape shape = valueOf(occt::makeFaces(fill));
+  return trimmedMeshOf(
+      valueOf(occt::makeFaces(fill)), fill.patches, fill.reversed, fill.report.diagonal, divisions);
+}
+
+Mesh trimmedMeshOf(const TopoDS_Shape& shape,
+                   const std::vector<spline::BsplineSurface>& surfaces,
+                   const std::vector<bool>& reversed,
+                   double diagonal,
+                   int divisions) {
   const double share = 1.0 / divisions;
-  BRepMesh_IncrementalMesh(
-      shape, kSagitta * share * share * fill.report.diagonal, false, 2.0 * share);
+  BRepMesh_IncrementalMesh(shape, kSagitta * share * share * diagonal, false, 2.0 * share);
   Mesh mesh;
   std::size_t patch = 0;
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next(), ++patch) {
@@ -55,7 +62,7 @@ Mesh trimmedMeshOf(const FillResult& fill, int divisions) {
         BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
     if (triangles.IsNull())
       throw Failure({.code = ErrorCode::ResultInvalid, .detail = "the face has no triangles"});
-    addFace(mesh, *triangles, fill.patches[patch], fill.reversed[patch]);
+    addFace(mesh, *triangles, surfaces[patch], reversed[patch]);
   }
   return mesh;
 }

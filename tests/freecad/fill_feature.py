@@ -183,7 +183,7 @@ def a_reference_pulls_the_surface():
     raised = document.addObject("Part::Feature", "Raised")
     raised.Shape = free.Shape.translated(App.Vector(0, 0, 6))
     pulled = fairing.make_fill(base, edges[:1], reference=raised, gamma=1e5)
-    assert pulled.Reference[0] is raised
+    assert pulled.Reference[0][0] is raised
     height = pulled.Shape.CenterOfMass.z - free.Shape.CenterOfMass.z
     assert 0.5 < height < 6.0, height
     support.is_filled(pulled, base, edges)

@@ -88,10 +88,10 @@ gui.wait_for_verdict("Meets all 4 edges")
 
 # A guide: the slider wakes up, and the surface follows it.
 other = document.addObject("Part::Feature", "Guide")
-other.Shape = base.Shape.Faces[0]
+other.Shape = support.make_example.sheet().toShape()
 before = document.Objects
-assert not gui.widget("lambdaSlider").isEnabled()
-gui.widget("guideButton").click()
+assert not gui.widget("lambdaSlider").isVisible()
+gui.widget("referenceButton").click()
 Gui.Selection.addSelection(document.Name, "Guide", "Face1")
 gui.wait_for(lambda: gui.widget("lambdaSlider").isEnabled(), "the guide to be taken")
 gui.widget("lambdaSlider").setValue(300)
@@ -101,7 +101,7 @@ gui.picture("9_guided")
 gui.press("Ok")
 gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 fill = document.Fill
-assert fill.Reference == (other, ["Face1"]) and fill.Lambda > 1.0 and fill.isValid()
+assert fill.Reference == [(other, ("Face1",))] and fill.Lambda > 1.0 and fill.isValid()
 
 # The face to be replaced, picked before the command: its border is the hole.
 whole = support.App.newDocument("Whole")

@@ -20,7 +20,8 @@ def make():
     import fairing
 
     document, base, edges = support.example()
-    fill = fairing.make_fill(base, edges[:1], edge_continuity={edges[1]: "G0"})
+    handle = {"point": tuple(base.Shape.BoundBox.Center), "normal": (0, 0, 1), "radius": 200}
+    fill = fairing.make_fill(base, edges[:1], edge_continuity={edges[1]: "G0"}, guides=[handle], lambda_=0.1)
     assert fill.isValid()
     document.saveAs(PATH)
 
@@ -43,6 +44,9 @@ def revive():
     fill, base = document.Fill, document.Base
     assert type(fill.Proxy).__name__ == "FillFeature", "the proxy stays dead"
     assert type(fill.ViewObject.Proxy).__name__ == "FillView"
+    handle, = fill.Guides
+    assert type(handle.Proxy).__name__ == "NormalHandleFeature"
+    assert type(handle.ViewObject.Proxy).__name__ == "NormalHandleView"
     document.recompute()
     edges = support.make_example.hole_edges(base.Shape)
     assert fill.State == ["Up-to-date"] and fill.EdgeContinuity

@@ -146,6 +146,23 @@ TEST(EditFace, ClosedFacesStayClosed) {
   }
 }
 
+TEST(EditFace, TakesTheOldFacesPlaceInTheBase) {
+  const ShapeIndex index(box(10, 20, 30));
+  EditOptions options = pulledUp(1.0, 1e4);
+  options.degree = 3;
+  options.spans = 8;
+  const int top = faceAt(index, 30.0);
+  ASSERT_GT(top, 0);
+  const auto edited = editFace(index, top, options, ResultMode::Base);
+  ASSERT_TRUE(edited.has_value()) << int(edited.error().code) << edited.error().detail;
+  EXPECT_FALSE(edited->trimmed);
+  EXPECT_EQ(edited->shape.ShapeType(), TopAbs_SOLID);
+  EXPECT_EQ(ShapeIndex(edited->shape).faceCount(), 6);
+  EXPECT_EQ(ShapeIndex(edited->shape).edgeCount(), 12);
+  EXPECT_NEAR(area(edited->shape), area(index.shape()) - 200.0 + area(edited->face), 1e-6);
+  EXPECT_GT(area(edited->face), 200.0);
+}
+
 TEST(EditFace, NeedsAFaceThatIsThere) {
   const auto edited = editFace(ShapeIndex(box(1, 2, 3)), 7, {});
   ASSERT_FALSE(edited.has_value());

@@ -8,9 +8,11 @@ import subprocess
 
 import FreeCAD as App
 import Part
+import numpy as np
 import pytest
 
 import fairing
+from fairing import _fairing as native
 
 PROGRAM = os.environ["FAIRING_BINARY"]
 SIDE = 40.0
@@ -77,6 +79,32 @@ def test_a_spline_field_is_taken_over_the_patch(face):
     _, free = fairing.edit(face, 1, guide={"field": {"degree": [2, 1], "normals": normals}})
     _, report = fairing.edit(face, 1, guide={"field": {"degree": [2, 1], "normals": normals}}, lambda_=100)
     assert report["after"]["rms_angle"] < free["after"]["rms_angle"]
+
+
+def test_meshes_lie_on_the_face_also_where_it_is_trimmed(face):
+    plate = Part.makePlane(SIDE, SIDE).cut(Part.makeCylinder(6, 2, App.Vector(20, 20, -1)))
+    for shape, spans, size in ((face, 0, SIDE * SIDE), (plate, 24, SIDE * SIDE - math.pi * 36)):
+        edit = native.Shape(shape.exportBrepToString().encode()).edit(
+            1, guide=[{"point": (8, 8, 0), "normal": (0.4, 0, 1), "radius": 8}], lambda_=100, degree=3, spans=spans)
+        points, normals, triangles = edit.mesh(24)
+        made = Part.Shape()
+        made.importBrepFromString(edit.brep().decode())
+        surface = made.Faces[0].Surface
+        assert max(surface.value(*surface.parameter(App.Vector(*map(float, point)))).distanceToPoint(
+            App.Vector(*map(float, point))) for point in points) < 1e-4  # single precision
+        assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-5)
+        sides = points[triangles[:, 1]] - points[triangles[:, 0]], points[triangles[:, 2]] - points[triangles[:, 0]]
+        across = np.cross(*sides)
+        assert np.all(np.einsum("ij,ij->i", across, normals[triangles[:, 0]]) > 0.0)  # counter-clockwise
+        flat = 0.5 * np.abs(across[:, 2]).sum()  # their shadow on the plane
+        assert abs(flat - size) < 0.01 * size
+
+
+def test_the_base_takes_the_new_face(face):
+    box = Part.makeBox(SIDE, SIDE, SIDE)
+    whole, report = fairing.edit(box, 1, guide=[{"point": (0, 20, 20), "normal": (1, 0.4, 0), "radius": 15}], lambda_=100,
+                                 degree=3, spans=8, result="base")
+    assert whole.ShapeType == "Solid" and whole.isValid() and len(whole.Faces) == 6 and report["largest_move"] > 0.1
 
 
 @pytest.mark.parametrize("guide, code, why", [

@@ -10,7 +10,8 @@ import FreeCAD as App
 from .. import exchange
 from ..blend_request import BlendRequest
 from . import blend_properties as properties
-from .blend_sides import BlendSides, Side, pairs_of, side_links
+from .blend_sides import BlendSides, Side, pairs_of
+from .links import several
 from .placement import container_for_results, container_of
 from .solved_feature import SolvedFeature
 
@@ -49,7 +50,7 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
     beside = first.objects[0]
     container = container_for_results(beside)
     sides = BlendSides(first, second, container, pairs_of(pairs, first, second),
-                       (side_links(from_curve), side_links(to_curve)), side_links(ends), side_links(cuts))
+                       (several(from_curve), several(to_curve)), several(ends), several(cuts))
     request = sides.request(**options)
     solve(request, sides)
     obj = beside.Document.addObject("Part::FeaturePython", name)
@@ -81,10 +82,10 @@ def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
         pairs = pairs_of(pairs, first, second)
     elif from_edges is None and to_edges is None:
         pairs = properties.read_pairs(obj)
-    curves = tuple(was if given is None else side_links(given)
+    curves = tuple(was if given is None else several(given)
                    for was, given in zip(properties.read_curves(obj), (from_curve, to_curve)))
     sides = BlendSides(first, second, container_of(obj), pairs or (), curves,
-                       obj.Ends if ends is None else side_links(ends), obj.Cuts if cuts is None else side_links(cuts))
+                       obj.Ends if ends is None else several(ends), obj.Cuts if cuts is None else several(cuts))
     request = sides.request(**{**properties.read_choices(obj), **changes})
     solve(request, sides)
     properties.write_request(obj, request, sides)

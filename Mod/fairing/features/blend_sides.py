@@ -12,7 +12,7 @@ import Part
 from .. import subelements
 from ..blend_request import BlendRequest
 from .joined_shapes import JoinedShapes, Place
-from .links import Link, links_of
+from .links import Link, links_of, several
 
 NO_SIDE = "A side of the blend has no edge: pick an edge on either side."
 
@@ -28,7 +28,7 @@ class Side:
     def of(given, wishes: Optional[Mapping[Any, str]] = None) -> "Side":
         """From a link, (object, ["Edge7"]), or a list of links; wishes by "Edge7", or by "Pipe.Edge7" where there are
         several objects. Raises ValueError where there is no edge, or something else is named."""
-        edges = tuple((obj, edge) for obj, names in side_links(given) for edge in subelements.only_edges(names))
+        edges = tuple((obj, edge) for obj, names in several(given) for edge in subelements.only_edges(names))
         if not edges:
             raise ValueError(NO_SIDE)
         side = Side(edges)
@@ -136,9 +136,3 @@ def edges_of(curve: Iterable[Link]) -> list[Place]:
             raise ValueError(f"{obj.Label} has no edge.")
         places += [(obj, number) for number in numbers]
     return places
-
-
-def side_links(given) -> list[Link]:
-    """A link an object out of what callers may give for edges: a link, a list of links, or None."""
-    is_list = isinstance(given, (tuple, list)) and all(isinstance(item, (tuple, list)) for item in given)
-    return links_of(given if is_list else [given] if given else ())

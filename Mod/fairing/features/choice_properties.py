@@ -5,11 +5,10 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from .. import exchange, subelements
+from .. import subelements
 from ..choices import CONTINUITIES, DEPARTURES, ENERGIES, LAYOUTS, MATCHES, RESULTS, Choices
-from .placement import container_of, shape_in
-
-READ_ONLY, HIDDEN = 1, 4  # FreeCAD's property editor modes, as bits of addProperty's attributes
+from . import guidance_properties
+from .property_modes import READ_ONLY
 
 # name, type, group, tooltip
 CHOSEN = (
@@ -30,9 +29,7 @@ CHOSEN = (
      "mean-curvature-gradient changes its curvature as little as possible"),
     ("Degree", "App::PropertyInteger", "Shape", "Degree of the surface, 3 to 9; 0: chosen from the edges"),
     ("MaxPoles", "App::PropertyInteger", "Shape", "Largest number of control points"),
-    ("Reference", "App::PropertyLinkSubGlobal", "Guidance", "Faces whose normals and points guide the surface"),
-    ("Lambda", "App::PropertyFloat", "Guidance", "Weight of the reference's normals, 0: none"),
-    ("Gamma", "App::PropertyFloat", "Guidance", "Weight of the reference's points, 0: none"),
+    *guidance_properties.ASKED,
     ("ResultMode", "App::PropertyEnumeration", "Result",
      "patches: the new faces; shell: sewn to one another; base: sewn into the base, a solid where that closes it"),
 )
@@ -46,14 +43,16 @@ def chosen(*names: str) -> tuple:
     return tuple(_BY_NAME[name] for name in names)
 
 
-def add(obj: App.DocumentObject, asked, measured, defaults: dict) -> None:
-    """Gives an object every property it does not have yet, with its default; existing ones keep their values."""
+def add(obj: App.DocumentObject, asked, measured, defaults: dict, words=None) -> None:
+    """Gives an object every property it does not have yet, with its default; existing ones keep their values. `words` are
+    what enumerations offer, WORDS where there are no others."""
+    words = words or WORDS
     for name, kind, group, tip in asked:
         is_new = name not in obj.PropertiesList
         if is_new:
             obj.addProperty(kind, name, group, tip)
-        if name in WORDS:
-            _offer(obj, name, None if is_new else getattr(obj, name))
+        if name in words:
+            _offer(obj, name, list(words[name]), None if is_new else getattr(obj, name))
         if is_new and name in defaults:
             setattr(obj, name, defaults[name])
     for name, kind, group, tip in measured:
@@ -68,7 +67,7 @@ def defaults_of(plain: Choices) -> dict:
 
 
 def write(obj: App.DocumentObject, chosen: Choices, reference) -> None:
-    """Stores what is chosen; of the reference its link, (object, [names]) or None."""
+    """Stores what is chosen; of the reference its links, [(object, [names])]."""
     obj.Continuity = chosen.continuity
     obj.EdgeContinuity = [f"Edge{edge}={word}" for edge, word in chosen.edge_continuity]
     obj.EdgeDirections = [f"Edge{edge}={word} {' '.join(map(repr, direction))}"
@@ -80,15 +79,12 @@ def write(obj: App.DocumentObject, chosen: Choices, reference) -> None:
     obj.Energy = chosen.energy
     obj.Degree = chosen.degree
     obj.MaxPoles = chosen.max_poles
-    obj.Lambda = chosen.lambda_
-    obj.Gamma = chosen.gamma
-    obj.Reference = reference
+    guidance_properties.write(obj, chosen.lambda_, chosen.gamma, reference)
     obj.ResultMode = chosen.result
 
 
 def read(obj: App.DocumentObject) -> dict:
     """What an object's properties choose, as arguments of a request's of(). Raises ValueError with one sentence."""
-    reference = shape_in(container_of(obj), *obj.Reference) if obj.Reference else None
     directions = {"tangent": {}, "symmetry": {}}
     for edge, wish in wishes(obj, "EdgeDirections", "Edge7=tangent 0 0 1"):
         word, *numbers = wish.replace(",", " ").split() or [""]
@@ -98,9 +94,8 @@ def read(obj: App.DocumentObject) -> dict:
     return dict(
         edge_continuity=dict(wishes(obj, "EdgeContinuity", "Edge7=G0")), tangents=directions["tangent"],
         symmetry=directions["symmetry"], continuity=obj.Continuity, layout=obj.Layout, energy=obj.Energy,
-        lambda_=obj.Lambda, gamma=obj.Gamma, reference=exchange.data_of(reference) if reference else None,
         gap_tolerance=obj.GapTolerance.Value or None, angle_tolerance=obj.AngleTolerance.Value, degree=obj.Degree,
-        max_poles=obj.MaxPoles, result=obj.ResultMode)
+        max_poles=obj.MaxPoles, result=obj.ResultMode, **guidance_properties.read(obj))
 
 
 def wishes(obj: App.DocumentObject, name: str, sample: str, takes_objects: bool = False):
@@ -113,10 +108,10 @@ def wishes(obj: App.DocumentObject, name: str, sample: str, takes_objects: bool 
         yield edge, wish
 
 
-def _offer(obj: App.DocumentObject, name: str, kept) -> None:
+def _offer(obj: App.DocumentObject, name: str, words: list[str], kept) -> None:
     """Today's words to choose from, also in objects that were made when there were fewer."""
-    if kept is None or obj.getEnumerationsOfProperty(name) != list(WORDS[name]):
-        setattr(obj, name, list(WORDS[name]))
+    if kept is None or obj.getEnumerationsOfProperty(name) != words:
+        setattr(obj, name, words)
         if kept is not None:
             setattr(obj, name, kept)
 

@@ -32,7 +32,8 @@ def make_fill_all(base: App.DocumentObject, *, name: str = "FillAll", skipped=()
     """Makes an object that fills every hole of the base beside it in the document, computed.
 
     skipped    names of edges whose holes are left out
-    reference  an object, or (object, ["Face1", ...]), whose faces guide by the weights lambda_ and gamma
+    reference  an object, (object, ["Face1", ...]), or a list of these: faces and meshes that guide by the weights
+               lambda_ and gamma
     options    outer_borders (the rims of open sheets, too) and the choices of make_fill()
     Raises FairingError (or NativeModuleError) with one sentence, and then the document is as it was.
     """
@@ -43,7 +44,7 @@ def make_fill_all(base: App.DocumentObject, *, name: str = "FillAll", skipped=()
     if container:
         container.addObject(obj)
     FillAllFeature(obj)
-    properties.write_request(obj, request, base, links.link_of(reference))
+    properties.write_request(obj, request, base, links.several(reference))
     if App.GuiUp:
         from ..views.fill_all_view import FillAllView
 
@@ -58,7 +59,7 @@ def change_fill_all(obj: App.DocumentObject, *, base=None, **changes) -> App.Doc
     Raises FairingError with one sentence, and then the object is as it was.
     """
     container, base = container_of(obj), base or obj.Base
-    reference = links.link_of(changes.pop("reference", obj.Reference))
+    reference = links.several(changes.pop("reference", obj.Reference))
     if "skipped" in changes:
         changes["skipped"] = tuple(sorted(subelements.edge_numbers(changes["skipped"])))
     request = dataclasses.replace(properties.read_request(obj), reference=links.reference_data(reference, container),

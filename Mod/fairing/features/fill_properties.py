@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD as App
 
 from ..fill_request import FillRequest
-from . import choice_properties, links
+from . import choice_properties, guidance_properties, links
 from .placement import container_of
 
 # name, type, group, tooltip
@@ -15,6 +15,7 @@ ASKED = (
     ("Through", "App::PropertyLinkSubListGlobal", "Guidance",
      "Vertices, edges, sketches and datum points that the surface passes through"),
     *choice_properties.CHOSEN,
+    *guidance_properties.GUIDES,
 )
 MEASURED = (
     ("Verdict", "App::PropertyString", "Report", "Whether the surface meets its neighbours, in words"),
@@ -37,6 +38,7 @@ MEASURED = (
      "Largest relative difference of the curvatures across the edge, edge by edge, 0 to 1"),
     ("Poles", "App::PropertyInteger", "Report", "Number of control points"),
     ("FilledArea", "App::PropertyArea", "Report", "Area of the new faces"),
+    *guidance_properties.MEASURED,
 )
 
 
@@ -46,8 +48,8 @@ def add_properties(obj: App.DocumentObject) -> None:
 
 
 def write_request(obj: App.DocumentObject, request: FillRequest, base: App.DocumentObject, reference, through) -> None:
-    """Stores what is asked for; of the reference its link, (object, [names]) or None, and of `through` a list of
-    such links."""
+    """Stores what is asked for; of the reference and of `through` their links, [(object, [names])]. Handles and curves
+    are written by guide_objects."""
     obj.Edges = (base, request.picks())
     obj.Through = [(part, names or [""]) for part, names in through]  # "": the whole object
     choice_properties.write(obj, request, reference)
@@ -86,6 +88,7 @@ def write_measured(obj: App.DocumentObject, fill) -> None:
     obj.EdgeCurvatures = [side["curvature"]["max"] for side in sides]
     obj.Poles = report["solve"]["poles"]
     obj.FilledArea = report["fairness"]["area"]
+    guidance_properties.write_report(obj, report["guidance"])
 
 
 def write_failure(obj: App.DocumentObject, sentence: str) -> None:

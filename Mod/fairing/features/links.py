@@ -6,10 +6,11 @@ from __future__ import annotations
 from typing import Optional
 
 import FreeCAD as App
+import numpy as np
 import Part
 
-from .. import exchange
-from .placement import shape_in
+from .. import exchange, native
+from .placement import placement_of, shape_in
 
 Link = tuple[App.DocumentObject, list[str]]
 
@@ -32,10 +33,46 @@ def links_of(given) -> list[Link]:
     return list(merged.values())
 
 
+def several(given) -> list[Link]:
+    """A link an object out of a link, a list of links, or None."""
+    return links_of([given] if _is_link(given) else given)
+
+
 def reference_data(reference, container) -> Optional[bytes]:
-    """The faces of a reference as the native module reads them, in a container's coordinates, or None."""
-    link = link_of(reference)
-    return exchange.data_of(shape_in(container, *link)) if link else None
+    """The faces and meshes of a reference as the native module reads them, in a container's coordinates, or None. Raises
+    ValueError where an object has neither, FairingError where a mesh has triangles that are flipped."""
+    parts = [mesh_in(container, obj) if is_mesh(obj) else _faces(obj, names, container)
+             for obj, names in several(reference)]
+    if not parts:
+        return None
+    return exchange.data_of(parts[0] if len(parts) == 1 else Part.Compound(parts))
+
+
+def is_mesh(obj: App.DocumentObject) -> bool:
+    return obj.isDerivedFrom("Mesh::Feature")
+
+
+def mesh_in(container, obj: App.DocumentObject) -> Part.Shape:
+    """A mesh as a face that holds its triangles only, in a container's coordinates."""
+    mesh = obj.Mesh.copy()
+    mesh.Placement = placement_of(container).inverse().multiply(obj.getGlobalPlacement())
+    points, triangles = mesh.Topology
+    return exchange.part_shape(native.module().mesh_faces(np.array([tuple(point) for point in points], float),
+                                                          np.array(triangles, int)))
+
+
+def _faces(obj: App.DocumentObject, names, container) -> Part.Shape:
+    shape = shape_in(container, obj, names)
+    if not shape.Faces:
+        raise ValueError(f"{obj.Label} has no face to guide by.")
+    return shape
+
+
+def _is_link(given) -> bool:
+    if not isinstance(given, (tuple, list)):
+        return given is not None
+    names = given[1] if len(given) == 2 else None
+    return isinstance(names, str) or (isinstance(names, (tuple, list)) and all(isinstance(name, str) for name in names))
 
 
 def through_data(given, container) -> tuple[bytes, ...]:

@@ -8,10 +8,13 @@ import FreeCAD as App
 
 from .. import migrate
 from .blend_feature import BlendFeature
+from .edit_feature import EditFeature
 from .fill_all_feature import FillAllFeature
 from .fill_feature import FillFeature
+from .guide_objects import FeatureCurveFeature, NormalHandleFeature
 
-FEATURES = {feature.TYPE: feature for feature in (FillFeature, FillAllFeature, BlendFeature)}
+FEATURES = {feature.TYPE: feature for feature in (FillFeature, FillAllFeature, BlendFeature, EditFeature,
+                                                  NormalHandleFeature, FeatureCurveFeature)}
 
 
 def dead_objects(document: App.Document) -> list[App.DocumentObject]:
@@ -43,11 +46,13 @@ def _lives(proxy) -> bool:
 def _reconnect_view(obj: App.DocumentObject) -> None:
     if App.GuiUp and not _lives(obj.ViewObject.Proxy):
         from ..views.blend_view import BlendView
+        from ..views.edit_view import EditView
         from ..views.fill_all_view import FillAllView
         from ..views.fill_view import FillView
+        from ..views.guide_view import VIEWS
 
-        view = {FillFeature.TYPE: FillView, FillAllFeature.TYPE: FillAllView,
-                BlendFeature.TYPE: BlendView}[migrate.kind_of(obj)]
+        view = {FillFeature.TYPE: FillView, FillAllFeature.TYPE: FillAllView, BlendFeature.TYPE: BlendView,
+                EditFeature.TYPE: EditView, **VIEWS}[migrate.kind_of(obj)]
         view.attach_to(obj.ViewObject)
 
 

@@ -23,6 +23,10 @@ class SolvedFeature:
         """What the object asks for. Raises ValueError or RuntimeError where there is no result."""
         raise NotImplementedError
 
+    def is_good(self, solved) -> bool:
+        """Whether what was solved needs no warning."""
+        return solved.within_tolerance
+
     def execute(self, obj: App.DocumentObject) -> None:
         """Solves and measures. Where that fails the last good shape stays, and the verdict says why."""
         try:
@@ -32,7 +36,7 @@ class SolvedFeature:
             raise
         obj.Shape = exchange.part_shape(solved.brep())
         self.properties.write_report(obj, solved)
-        if not solved.within_tolerance:
+        if not self.is_good(solved):
             App.Console.PrintWarning(f"{obj.Label}: {obj.Verdict}\n")
 
     def onDocumentRestored(self, obj: App.DocumentObject) -> None:

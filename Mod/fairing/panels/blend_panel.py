@@ -6,8 +6,6 @@ from __future__ import annotations
 from typing import Optional
 
 import FreeCAD as App
-from PySide import QtCore
-
 from .. import selection, settings, subelements
 from ..blend_request import BlendRequest
 from ..features.blend_sides import Side
@@ -24,8 +22,6 @@ from .ring_row import RingRow
 from .setback_curves import SetbackCurves
 from .side_tables import SideTables
 from .status import Status
-
-PAUSE = 250  # ms a reach stays before what OK takes is solved
 
 
 class BlendPanel(EdgePanel):
@@ -62,17 +58,13 @@ class BlendPanel(EdgePanel):
         self._ring = RingRow(self._ui, self._session)
         for part in (self._more, self._pairs, self._curves, self._ends, self._ring):
             part.changed.connect(self._refresh)
-        self._settled = QtCore.QTimer(self._ui)
-        self._settled.setSingleShot(True)
-        self._settled.setInterval(PAUSE)
-        self._settled.timeout.connect(self._solve_settled)
         self._pointed = 0
         self._table.pointed.connect(self._point_at)
         self._ui.dropButton.clicked.connect(self._drop)
 
     @property
-    def _takes_points(self) -> bool:
-        return self._pairs.is_picking or self._curves.is_picking
+    def _wanted(self) -> selection.Wanted:
+        return selection.Wanted.POINTS if self._pairs.is_picking or self._curves.is_picking else selection.Wanted.EDGES
 
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
         for part in (self._pairs, self._curves, self._ends, self._ring):
@@ -124,10 +116,6 @@ class BlendPanel(EdgePanel):
         self._say(*self._show_surface(*reached))
         self._settled.start()
 
-    def _solve_settled(self) -> None:
-        if not self._is_closed and self._result is None:
-            self._solve_or_wait(self._session.problem, True)
-
     def _asked_reaches(self) -> tuple[float, float]:
         return self._session.request.from_reach, self._session.request.to_reach
 
@@ -142,8 +130,7 @@ class BlendPanel(EdgePanel):
     def _refresh(self, *_) -> None:
         """Something changed: show the sides, and have the surface computed."""
         session = self._session
-        self._result = None
-        self._settled.stop()
+        self._start_anew()
         session.update()
         self._table.show(session.loops, session.request)
         has_both = None not in session.sides

@@ -6,6 +6,8 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from .. import migrate
+
 
 def run_as_one_step(document: App.Document, title: str, command: str) -> None:
     """Runs a line of Python as one step to undo; the macro recorder writes it down. Where it fails, nothing is done."""
@@ -18,6 +20,13 @@ def run_as_one_step(document: App.Document, title: str, command: str) -> None:
     except Exception:
         document.abortTransaction()
         raise
+
+
+def make_as_one_step(document: App.Document, title: str, command: str, kind: str) -> App.DocumentObject:
+    """The same for a line that makes an object of Fairing's, and what belongs to it; returns the object."""
+    known = {obj.Name for obj in document.Objects}
+    run_as_one_step(document, title, command)
+    return next(obj for obj in document.Objects if obj.Name not in known and migrate.kind_of(obj) == kind)
 
 
 def link_command(link) -> str:

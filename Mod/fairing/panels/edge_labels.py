@@ -83,7 +83,7 @@ class EdgeLabels:
 
     def _button(self, node) -> None:
         event = node.getEvent()
-        if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
+        if event.getButton() != coin.SoMouseButtonEvent.BUTTON1 or node.isHandled():
             return
         if event.getState() == coin.SoButtonEvent.DOWN:
             self._pressed = self._edge_under(event)

@@ -6,14 +6,16 @@ from __future__ import annotations
 from typing import Optional
 
 import FreeCAD as App
+import FreeCADGui as Gui
 from PySide import QtCore
 
-from .. import selection, settings
+from .. import paths, selection, settings
 from ..choices import CONTINUITIES
 from ..features.fill_all_properties import verdict
 from ..fill_all_request import FillAllRequest
 from . import status
 from .fill_all_session import FillAllSession
+from .guidance_box import GuidanceBox
 from .holes_display import HolesDisplay
 from .holes_table import HolesTable, sentence_of
 from .solving_panel import SolvingPanel
@@ -35,6 +37,18 @@ class FillAllPanel(SolvingPanel):
             return FillAllSession(App.ActiveDocument, FillAllRequest(**settings.new_choices()), base)
 
         return cls.launch(make_session)
+
+    def _make_boxes(self) -> list:
+        guidance_ui = Gui.PySideUic.loadUi(paths.form("guidance.ui"))
+        self._guidance = GuidanceBox(guidance_ui, self._session, takes_guides=False)
+        self._guidance.changed.connect(self._refresh)
+        self._guidance.moved.connect(self._refresh)
+        self._guidance.failed.connect(lambda sentence: self._say(Status.BAD, sentence))
+        return [guidance_ui.guidanceBox, *super()._make_boxes()]
+
+    @property
+    def _wanted(self) -> selection.Wanted:
+        return selection.Wanted.GUIDES if self._guidance.is_picking else selection.Wanted.EDGES
 
     def _set_up(self) -> None:
         ui, session = self._ui, self._session
@@ -62,8 +76,8 @@ class FillAllPanel(SolvingPanel):
         QtCore.QTimer.singleShot(0, self._refresh)
 
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
-        if self._choices.is_picking_guide:
-            self._choices.guide_picked(obj, name)
+        if self._guidance.is_picking:
+            self._guidance.picked(obj, name)
         elif obj is self._session.base:
             self._table.select(self._session.hole_with(name))
         elif selection.has_shape(obj):
@@ -82,7 +96,7 @@ class FillAllPanel(SolvingPanel):
         if self._is_closed:
             return
         session, ui = self._session, self._ui
-        self._result = None
+        self._start_anew()
         ui.promptLabel.setVisible(session.base is None)
         self._table.show_holes(session.holes, [session.is_filled(hole) for hole in session.holes])
         for widget in (ui.allButton, ui.noneButton, ui.continuityCombo, ui.outerCheck):

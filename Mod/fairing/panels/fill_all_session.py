@@ -10,24 +10,25 @@ import FreeCAD as App
 import numpy as np
 
 from .. import exchange, subelements
-from ..features import links
 from ..features.fill_all_feature import NO_BASE
 from ..features.fill_all_properties import read_request
 from ..features.placement import container_for_results, container_of, placement_of, shape_in
 from ..fill_all_request import FillAllRequest
-from .commands import link_command, object_command, run_as_one_step
+from .commands import object_command, run_as_one_step
+from .guided_session import GuidedSession
 
 MESH_POINTS = 25  # along either direction of a patch
 LINE_POINTS = 33  # along an edge
 
 
-class FillAllSession:
+class FillAllSession(GuidedSession):
     """All holes of one object being filled. `holes` holds the edge numbers of each, those left out included,
     `problem` why there are none to fill."""
 
     def __init__(self, document: App.Document, request: FillAllRequest, base=None, obj=None):
+        super().__init__()
         self.document, self.request, self.obj = document, request, obj
-        self.base = self.reference = None
+        self.base = None
         self.holes: list[list[int]] = []
         self.outer: list[list[int]] = []  # those among them that are outer borders
         self.problem = NO_BASE
@@ -39,7 +40,7 @@ class FillAllSession:
     def of_object(cls, obj: App.DocumentObject) -> "FillAllSession":
         """To edit such an object."""
         session = cls(obj.Document, read_request(obj), obj.Base, obj)
-        session.reference = links.link_of(obj.Reference)
+        session._read_guidance(obj)
         return session
 
     @property
@@ -62,8 +63,7 @@ class FillAllSession:
         self._edges = shape.Edges
         self._brep = exchange.data_of(shape)
         self._shape = exchange.native_shape_of(self._brep)
-        if self.reference:
-            self.set_reference(self.reference)
+        self._look_guidance_up()
         self.find_holes()
 
     def change(self, **changes: Any) -> None:
@@ -71,11 +71,6 @@ class FillAllSession:
         self.request = dataclasses.replace(self.request, **changes)
         if "outer_borders" in changes:
             self.find_holes()
-
-    def set_reference(self, reference) -> None:
-        """(object, [names]) or None."""
-        self.reference = links.link_of(reference)
-        self.change(reference=links.reference_data(self.reference, self.container))
 
     def is_filled(self, hole: list[int]) -> bool:
         return not set(hole).intersection(self.request.skipped)
@@ -129,19 +124,17 @@ class FillAllSession:
     def _command(self) -> str:
         """The Python line that does what OK does: only what differs from the defaults, or from the object as it is."""
         if self.obj is None:
-            head, before, link = f"fairing.make_fill_all({object_command(self.base)}", FillAllRequest(), None
+            head, before = f"fairing.make_fill_all({object_command(self.base)}", FillAllRequest()
         else:
             head = f"fairing.change_fill_all({object_command(self.obj)}"
-            before, link = read_request(self.obj), links.link_of(self.obj.Reference)
+            before = read_request(self.obj)
             if self.obj.Base is not self.base:
                 head += f", base={object_command(self.base)}"
         changes = self.request.differences(before)
         if "skipped" in changes:
             changes["skipped"] = self.request.skipped_names()
         tail = "".join(f", {name}={value!r}" for name, value in changes.items())
-        if self.reference != link:
-            tail += f", reference={link_command(self.reference)}"
-        return f"{head}{tail})"
+        return f"{head}{tail}{self._guidance_command()})"
 
 
 def joined(meshes):

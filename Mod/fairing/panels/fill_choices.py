@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lower half of the panels: layout and guide where there are any, energy, result and limits."""
+"""The lower half of the panels: layout where there is any, energy, result and limits."""
 
 from __future__ import annotations
 
 import FreeCAD as App
 from PySide import QtCore
 
-from .. import subelements
 from ..choices import ENERGIES, LAYOUTS, RESULTS
 from ..translation import translate
 from .quantities import show_quantity
-from .sliders import WeightSlider
 
 ANGLE_STEP = 0.01  # degrees, of the arrows beside the number
 TYPING_PAUSE = 250  # ms without a key before a typed number counts
@@ -21,8 +19,7 @@ class LimitChoices(QtCore.QObject):
     the rest of the form is hidden. Emits changed()."""
 
     changed = QtCore.Signal()
-    HIDDEN = ("layoutLabel", "layoutCombo", "guideLabel", "guideButton", "guideClearButton", "lambdaLabel",
-              "lambdaSlider", "lambdaSpin", "gammaLabel", "gammaSlider", "gammaSpin")
+    HIDDEN = ("layoutLabel", "layoutCombo")
 
     def __init__(self, ui, session):
         super().__init__(ui)
@@ -90,26 +87,9 @@ class LimitChoices(QtCore.QObject):
 
 
 class FillChoices(LimitChoices):
-    """Those of a fill (of one hole or of all): also the layout and the guide."""
+    """Those of a fill (of one hole or of all): also the layout."""
 
     HIDDEN = ()
-
-    def __init__(self, ui, session):
-        self._lambda = WeightSlider(ui.lambdaSlider, ui.lambdaSpin, session.request.lambda_)
-        self._gamma = WeightSlider(ui.gammaSlider, ui.gammaSpin, session.request.gamma)
-        super().__init__(ui, session)
-
-    @property
-    def is_picking_guide(self) -> bool:
-        return self._ui.guideButton.isChecked()
-
-    def guide_picked(self, obj: App.DocumentObject, name: str) -> None:
-        """A face picked in the 3D view joins the guide."""
-        if not subelements.is_face(name):
-            return
-        kept = self._session.reference
-        names = list(kept[1]) if kept and kept[0] is obj else []
-        self._set_guide((obj, names + [name] if name not in names else names))
 
     def show_layout(self, used: str) -> None:
         """What the automatic choice came to, beside its name; empty while that is not known."""
@@ -122,34 +102,7 @@ class FillChoices(LimitChoices):
 
     def _connect(self) -> None:
         super()._connect()
-        ui = self._ui
-        ui.layoutCombo.currentIndexChanged.connect(self._read)
-        self._lambda.changed.connect(self._read)
-        self._gamma.changed.connect(self._read)
-        ui.guideButton.toggled.connect(self._show_hints)
-        ui.guideClearButton.clicked.connect(lambda: self._set_guide(None))
+        self._ui.layoutCombo.currentIndexChanged.connect(self._read)
 
     def _chosen(self) -> dict:
-        return dict(super()._chosen(), layout=LAYOUTS[self._ui.layoutCombo.currentIndex()],
-                    lambda_=self._lambda.value(), gamma=self._gamma.value())
-
-    def _set_guide(self, reference) -> None:
-        self._session.set_reference(reference)
-        self._ui.guideButton.setChecked(False)
-        self._show_hints()
-        self.changed.emit()
-
-    def _show_hints(self, *_) -> None:
-        super()._show_hints()
-        ui, reference = self._ui, self._session.reference
-        ui.guideButton.setText(
-            translate("Fairing", "Pick faces in the 3D view") if self.is_picking_guide
-            else _guide_text(reference) if reference else translate("Fairing", "Pick guiding faces"))
-        ui.guideClearButton.setEnabled(reference is not None)
-        self._lambda.set_enabled(reference is not None)
-        self._gamma.set_enabled(reference is not None)
-
-
-def _guide_text(reference) -> str:
-    obj, names = reference
-    return f"{obj.Label}: {', '.join(names)}" if names else obj.Label
+        return dict(super()._chosen(), layout=LAYOUTS[self._ui.layoutCombo.currentIndex()])

@@ -11,8 +11,11 @@ from .edge_labels import EdgeLabels, Label
 from .fill_session import FillSession
 from .preview import Preview
 from .quantities import deviation_text
+from .guide_handles import GuideHandles
 from .scene_mouse import SceneMouse
 from .status import Status
+
+FIELD_POINTS = 12  # arrows along either direction of a patch
 
 
 class FillDisplay:
@@ -23,6 +26,7 @@ class FillDisplay:
         self._session = session
         self._preview = Preview(view, settings.patch_color())
         self._mouse = SceneMouse(view)
+        self.guide_handles = GuideHandles(self._mouse)
         self._put_up_handles()
         self._labels = EdgeLabels(self._mouse, on_click, on_hover)
         self._report: Optional[dict] = None
@@ -45,14 +49,31 @@ class FillDisplay:
         """The edges alone."""
         self._report = None
         self._preview.hide_surface()
+        self._preview.guidance.clear()
+        self.guide_handles.use_mesh(None)
         self._draw_edges()
 
     def show_fill(self, report: dict, mesh) -> None:
         self._report = report
-        self._preview.show_surface(mesh)
+        self.show_mesh(mesh)
         self._draw_edges()
 
+    def show_mesh(self, mesh) -> None:
+        """The surface alone."""
+        self._preview.show_surface(mesh)
+        self.guide_handles.use_mesh(mesh)
+
+    def show_guidance(self, fill, with_field: bool, with_net: bool) -> None:
+        """What guides a native result, and its control points, where they are wanted."""
+        drawing = self._preview.guidance
+        drawing.clear()
+        if with_field:
+            drawing.show_field(*fill.guide_arrows(FIELD_POINTS))
+        if with_net:
+            drawing.show_net(fill.control_net())
+
     def remove(self) -> None:
+        self.guide_handles.remove()
         self._labels.remove()
         self._preview.remove()
 

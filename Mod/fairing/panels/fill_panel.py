@@ -12,10 +12,11 @@ from ..fill_request import FillRequest
 from .boundary_table import BoundaryTable
 from .edge_panel import EdgePanel
 from .fill_session import FillSession
+from .guided_panel import GuidedPanel
 from .through_list import ThroughList
 
 
-class FillPanel(EdgePanel):
+class FillPanel(GuidedPanel, EdgePanel):
     """Connects a FillSession with its form."""
 
     FORM, BOX, ICON = "fill_hole.ui", "boundaryBox", "Fairing_FillHole.svg"
@@ -43,15 +44,17 @@ class FillPanel(EdgePanel):
         self._through.changed.connect(self._refresh)
 
     @property
-    def _takes_points(self) -> bool:
-        return self._through.is_picking
+    def _wanted(self) -> selection.Wanted:
+        if self._guidance.is_picking:
+            return selection.Wanted.GUIDES
+        return selection.Wanted.POINTS if self._through.is_picking else selection.Wanted.EDGES
 
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
         if self._through.is_picking:
             self._through.picked(obj, name)
             return
-        if self._choices.is_picking_guide:
-            self._choices.guide_picked(obj, name)
+        if self._guidance.is_picking:
+            self._guidance.picked(obj, name)
             return
         edge = self._session.edge_in_loop(name) if obj is self._session.base else 0
         if edge:
@@ -63,7 +66,7 @@ class FillPanel(EdgePanel):
     def _refresh(self, *_) -> None:
         """Something changed: find the hole, show it, and have its surface computed."""
         session = self._session
-        self._result = None
+        self._start_anew()
         session.find_loop()
         self._table.show_loop(session.loop, session.request)
         has_picks = bool(session.request.edges or session.request.faces)

@@ -10,21 +10,21 @@ import FreeCAD as App
 
 from .. import exchange, subelements
 from ..features import links
-from ..features.fill_feature import NOTHING_PICKED
+from ..features.fill_feature import NOTHING_PICKED, FillFeature
 from ..features.fill_properties import read_request
 from ..features.placement import container_for_results, container_of, placement_of, shape_in
 from ..fill_request import FillRequest
-from .commands import link_command, object_command, run_as_one_step
+from .commands import link_command, make_as_one_step, object_command, run_as_one_step
+from .guided_session import MESH_POINTS, GuidedSession
 
-MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
 
-
-class FillSession:
+class FillSession(GuidedSession):
     """One fill being made or edited. `loop` holds the sides of the hole, `problem` why there is none."""
 
     def __init__(self, document: App.Document, request: FillRequest, base=None, obj=None):
+        super().__init__()
         self.document, self.request, self.obj = document, request, obj
-        self.base = self.reference = None
+        self.base = None
         self.through: list[links.Link] = []
         self.loop: list[dict] = []
         self.problem = NOTHING_PICKED
@@ -36,7 +36,7 @@ class FillSession:
     def of_object(cls, obj: App.DocumentObject) -> "FillSession":
         """To edit a fill."""
         session = cls(obj.Document, read_request(obj), obj.Edges[0] if obj.Edges else None, obj)
-        session.reference = links.link_of(obj.Reference)
+        session._read_guidance(obj)
         session.through = links.links_of(obj.Through)
         session.find_loop()
         return session
@@ -83,11 +83,6 @@ class FillSession:
             self.change(edge_continuity=tuple(sorted(
                 (number, wish) for number, wish in wishes.items() if wish != self.request.continuity)))
 
-    def set_reference(self, reference) -> None:
-        """(object, [names]) or None."""
-        self.reference = links.link_of(reference)
-        self.change(reference=links.reference_data(self.reference, self.container))
-
     def set_through(self, through) -> None:
         """[(object, [names])]. Raises ValueError where one has nothing to pass through, and then all is as before."""
         merged = links.links_of(through)
@@ -122,17 +117,17 @@ class FillSession:
 
     def commit(self) -> None:
         """Writes the fill into the document as one step to undo, by commands the macro recorder understands."""
-        title = "Fill hole" if self.obj is None else f"Edit {self.obj.Label}"
-        run_as_one_step(self.document, title, self._command())
         if self.obj is None:
-            self.obj = self.document.ActiveObject
+            self.obj = make_as_one_step(self.document, "Fill hole", self._command(), FillFeature.TYPE)
+        else:
+            run_as_one_step(self.document, f"Edit {self.obj.Label}", self._command())
+        self._read_guidance(self.obj)  # with the names of new guides
 
     def _use_base(self, base: App.DocumentObject) -> None:
         self.base = base
         self._brep = exchange.data_of(shape_in(self.container, base))
         self._shape = exchange.native_shape_of(self._brep)
-        if self.reference:
-            self.set_reference(self.reference)
+        self._look_guidance_up()
         if self.through:
             self.set_through(self.through)
 
@@ -145,16 +140,14 @@ class FillSession:
         """The Python line that does what OK does: only what differs from the defaults, or from the object as it is."""
         base = object_command(self.base)
         if self.obj is None:
-            head, before, link, parts = f"fairing.make_fill({base}, {self.request.picks()!r}", FillRequest(), None, []
+            head, before, parts = f"fairing.make_fill({base}, {self.request.picks()!r}", FillRequest(), []
         else:
             head = f"fairing.change_fill({object_command(self.obj)}"
-            before, link = read_request(self.obj), links.link_of(self.obj.Reference)
-            parts = links.links_of(self.obj.Through)
+            before, parts = read_request(self.obj), links.links_of(self.obj.Through)
             if not self.obj.Edges or self.obj.Edges[0] is not self.base or self.request.picks() != before.picks():
                 head += f", {self.request.picks()!r}, base={base}"
         tail = "".join(f", {name}={value!r}" for name, value in self.request.differences(before).items())
-        if self.reference != link:
-            tail += f", reference={link_command(self.reference)}"
+        tail += self._guidance_command()
         if self.through != parts:
             tail += f", through=[{', '.join(map(link_command, self.through))}]"
         return f"{head}{tail})"

@@ -12,12 +12,12 @@ from .. import selection, subelements
 
 
 class Picking:
-    """Calls on_pick(object, name) for every edge or face picked in a document, and keeps the selection itself empty."""
+    """Calls on_pick(object, name) for everything wanted that is picked in a document, and keeps the selection itself empty."""
 
-    def __init__(self, document: App.Document, on_pick, excluded=None, takes_points=lambda: False):
+    def __init__(self, document: App.Document, on_pick, excluded=None, wanted=lambda: selection.Wanted.EDGES):
         self._document, self._on_pick = document, on_pick
         Gui.Selection.clearSelection()
-        Gui.Selection.addSelectionGate(selection.EdgeGate(excluded, takes_points))
+        Gui.Selection.addSelectionGate(selection.PanelGate(excluded, wanted))
         Gui.Selection.addObserver(self)
 
     def addSelection(self, document: str, obj: str, sub: str, point) -> None:  # called by FreeCAD

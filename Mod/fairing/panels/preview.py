@@ -6,6 +6,9 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
+from .guidance_drawing import GuidanceDrawing
+from .scene_vectors import set_vectors
+
 TRANSPARENCY = 0.15
 MATCH_COLOR, DOTTED = (0.13, 0.15, 0.18), 0x3333
 EDGE_WIDTH, THICK_WIDTH = 4.0, 9.0  # pixels
@@ -27,6 +30,8 @@ class Preview:
         self._root.addChild(self._edges.root)
         self._matches = _Matches()
         self._root.addChild(self._matches.root)
+        self.guidance = GuidanceDrawing()
+        self._root.addChild(self.guidance.root)
         view.getSceneGraph().addChild(self._root)
 
     def place(self, placement) -> None:
@@ -81,8 +86,8 @@ class _Surface:
     def show(self, points, normals, triangles) -> None:
         if self._triangles is None or not np.array_equal(triangles, self._triangles):
             self.clear()  # never an index beyond the points
-        _set_vectors(self._points.point, points)
-        _set_vectors(self._normals.vector, normals)
+        set_vectors(self._points.point, points)
+        set_vectors(self._normals.vector, normals)
         if self._triangles is None:
             ends = np.full((len(triangles), 1), -1, np.int32)
             indices = np.hstack([triangles, ends]).ravel().tolist()
@@ -111,7 +116,7 @@ class _Edges:
             style.lineWidth = THICK_WIDTH if position in thick else EDGE_WIDTH
             material.rgb = color
             points, strip = coin.SoCoordinate3(), coin.SoLineSet()
-            _set_vectors(points.point, np.asarray(line, np.float32))
+            set_vectors(points.point, np.asarray(line, np.float32))
             strip.numVertices.setValue(len(line))
             for node in (style, material, points, strip):
                 self.root.addChild(node)
@@ -133,16 +138,10 @@ class _Matches:
     def show(self, points) -> None:
         """Two by two."""
         self._lines.numVertices.setNum(0)
-        _set_vectors(self._points.point, points)
+        set_vectors(self._points.point, points)
         self._dots.numPoints = len(points)
         if points:
             self._lines.numVertices.setValues(0, len(points) // 2, [2] * (len(points) // 2))
-
-
-def _set_vectors(field, vectors) -> None:
-    field.setNum(len(vectors))
-    if len(vectors):
-        field.setValues(0, len(vectors), np.ascontiguousarray(vectors, np.float32))
 
 
 def _unpickable():

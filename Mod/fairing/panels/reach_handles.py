@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import Callable
 
 import FreeCAD as App
-import FreeCADGui as Gui
 from pivy import coin
 
+from .scene_handles import NOTHING, SceneHandles
 from .scene_mouse import SceneMouse
 
 SMALLEST, LARGEST = 0.05, 20.0  # what a tip can be dragged to
@@ -18,99 +18,31 @@ COLOR, LIT = (0.13, 0.42, 0.85), (0.20, 0.62, 1.0)
 TEXT_SIZE = 13  # pixels
 
 
-class ReachHandles:
+class ReachHandles(SceneHandles):
     """One arrow a side. on_drag(side, reach) while a tip is dragged; everything else in the view works as always."""
 
     def __init__(self, mouse: SceneMouse, on_drag: Callable[[int, float], None]):
-        self._mouse, self._on_drag = mouse, on_drag
-        self._view = mouse.view
-        self._root = coin.SoAnnotation()
-        self._scaling = coin.SoCallback()
-        self._arrows: list[_Arrow] = []
-        self._lit = self._dragged = -1
+        self._on_drag = on_drag
         self._grabbed = 0.0  # reach under the mouse less that of the tip
-        self._rescale = self._scale  # Coin keeps no reference
-        self._scaling.setCallback(self._rescale, None)
-        self._root.addChild(self._scaling)
-        # removal goes by identity
-        self._callbacks = ((coin.SoMouseButtonEvent.getClassTypeId(), self._button),
-                           (coin.SoLocation2Event.getClassTypeId(), self._moved))
-        self._view.getSceneGraph().addChild(self._root)
-        for kind, callback in self._callbacks:
-            self._view.addEventCallbackPivy(kind, callback)
-
-    @property
-    def is_dragged(self) -> bool:
-        return self._dragged >= 0
+        super().__init__(mouse)
 
     def show(self, arms, reaches, placement) -> None:
         """Arms as the native Blend tells them, in the coordinates of a placement; none: no arrows."""
-        if len(arms) != len(self._arrows):
-            for arrow in self._arrows:
-                self._root.removeChild(arrow.root)
-            self._arrows = [_Arrow() for _ in arms]
-            for arrow in self._arrows:
-                self._root.addChild(arrow.root)
-            self._lit = self._dragged = -1
-            self._mouse.want(self, False)
+        self._make(len(arms), _Arrow)
         for arrow, (point, vector), reach in zip(self._arrows, arms, reaches):
             arrow.show(placement.multVec(App.Vector(*point)), placement.Rotation.multVec(App.Vector(*vector)), reach)
         self._light(self._lit)
 
-    def remove(self) -> None:
-        if self._root is None:
-            return
-        try:
-            self._mouse.want(self, False)
-            for kind, callback in self._callbacks:
-                self._view.removeEventCallbackPivy(kind, callback)
-            self._view.getSceneGraph().removeChild(self._root)
-        except RuntimeError:  # the view has been closed
-            pass
-        self._root = None
+    def _grab(self, event) -> None:
+        self._grabbed = self._reach_under(event) - self._arrows[self._dragged].reach
 
-    def _scale(self, _, action) -> None:
-        if action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
-            for arrow in self._arrows:
-                arrow.scale(TIP * self._mouse.pixel_size(arrow.tip))
-
-    def _moved(self, node) -> None:
-        event = node.getEvent()
-        if self.is_dragged:
-            node.setHandled()
-            reach = self._reach_under(event) - self._grabbed
-            self._on_drag(self._dragged, round(min(max(reach, SMALLEST), LARGEST), 2))
-        else:
-            under = self._under(event)
-            if under != self._lit:
-                self._light(under)
-                self._mouse.want(self, under >= 0)
-
-    def _button(self, node) -> None:
-        event = node.getEvent()
-        if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
-            return
-        if event.getState() == coin.SoButtonEvent.DOWN:
-            self._dragged = self._under(event)
-            if self.is_dragged:
-                self._grabbed = self._reach_under(event) - self._arrows[self._dragged].reach
-                self._light(self._dragged)
-                Gui.Selection.clearPreselection()  # what lies behind stays as it is
-                node.setHandled()
-                node.grabEvents()  # neither selection nor navigation
-        elif self.is_dragged:
-            node.releaseEvents()
-            node.setHandled()
-            self._dragged = -1
+    def _drag(self, event) -> None:
+        reach = self._reach_under(event) - self._grabbed
+        self._on_drag(self._dragged, round(min(max(reach, SMALLEST), LARGEST), 2))
 
     def _under(self, event) -> int:
-        """The arrow whose tip lies under the mouse, -1 for none."""
-        x, y = event.getPosition().getValue()
-        for side, arrow in enumerate(self._arrows):
-            tip = self._mouse.on_screen(arrow.tip)
-            if (tip[0] - x) ** 2 + (tip[1] - y) ** 2 <= TIP ** 2:
-                return side
-        return -1
+        return next((side for side, arrow in enumerate(self._arrows) if self._mouse.is_near(event, arrow.tip, TIP)),
+                    NOTHING)
 
     def _reach_under(self, event) -> float:
         """The reach at the point of the dragged arrow's line that is nearest to what lies under the mouse."""
@@ -123,11 +55,6 @@ class ReachHandles:
         if square < 1e-6 * along.dot(along):  # seen end on: no telling how far
             return arrow.reach
         return (slant * direction.dot(between) - along.dot(between)) / square
-
-    def _light(self, side: int) -> None:
-        self._lit = side
-        for number, arrow in enumerate(self._arrows):
-            arrow.light(number == side)
 
 
 class _Arrow:
@@ -160,7 +87,8 @@ class _Arrow:
         self._color.rgb = LIT if lit else COLOR
         self._text.whichChild = coin.SO_SWITCH_ALL if lit else coin.SO_SWITCH_NONE
 
-    def scale(self, length: float) -> None:
+    def scale(self, mouse: SceneMouse) -> None:
+        length = TIP * mouse.pixel_size(self.tip)
         if abs(length - self._size.scaleFactor.getValue()[0]) > 1e-5 * length:
             self._size.scaleFactor = (length, length, length)
 

@@ -33,10 +33,18 @@ class SceneMouse:
         x, y, _ = self.view_volume().projectToScreen(coin.SbVec3f(*point)).getValue()
         return x * width, y * height
 
-    def ray(self, event) -> tuple[tuple, tuple]:
-        """(start, direction) of the line of points under the mouse, in the document's coordinates."""
-        position = event.getNormalizedPosition(viewport_of(self.view))
-        near, far = self.view_volume().projectPointToLine(position)
+    def is_near(self, event, point, pixels: float) -> bool:
+        """Whether the mouse is so near to a point of the document."""
+        x, y = event.getPosition().getValue()
+        at = self.on_screen(point)
+        return (at[0] - x) ** 2 + (at[1] - y) ** 2 <= pixels ** 2
+
+    def ray(self, event, shift=(0.0, 0.0)) -> tuple[tuple, tuple]:
+        """(start, direction) of the line of points under the mouse, or so many pixels beside it, in the document's
+        coordinates."""
+        size = viewport_of(self.view).getViewportSizePixels().getValue()
+        x, y = ((at + by) / full for at, by, full in zip(event.getPosition().getValue(), shift, size))
+        near, far = self.view_volume().projectPointToLine(coin.SbVec2f(x, y))
         return near.getValue(), (far - near).getValue()
 
     def pixel_size(self, point) -> float:

@@ -12,6 +12,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import native, paths, settings
+from ..selection import Wanted
 from ..translation import translate
 from .background import BackgroundSolver
 from .fill_choices import FillChoices
@@ -21,6 +22,7 @@ from .status import Status
 
 LONGEST_STOP = 0.1  # s closing waits for a solve that was told to stop; then it ends by itself, unheard
 SHOWS_PROGRESS_AFTER = 0.15  # s: a bar that only flashes up is noise
+PAUSE = 250  # ms something dragged stays before what OK takes is solved
 NARROWEST = 320  # pixels of a dock that FreeCAD's three buttons fit into
 MARGINS = 60  # pixels left and right of the table, a scroll bar included
 
@@ -58,26 +60,33 @@ class SolvingPanel:
         self._started = 0.0
         self._is_closed = False
         self._ui = Gui.PySideUic.loadUi(paths.form(self.FORM))
-        self._choices_ui = Gui.PySideUic.loadUi(paths.form("choices.ui"))
-        # a task box each
-        self.form = [getattr(self._ui, self.BOX), self._choices_ui.shapeBox, self._choices_ui.resultBox]
+        self.form = [getattr(self._ui, self.BOX), *self._make_boxes()]
         for box in self.form:
             box.setWindowIcon(QtGui.QIcon(paths.icon(self.ICON)))
         self._view = Gui.getDocument(session.document.Name).ActiveView
         self._solver = BackgroundSolver(native.module().Progress, self._solved, self._progressed, self._ui)
-        self._choices = self.MAKE_CHOICES(self._choices_ui, session)
-        self._choices.changed.connect(self._refresh)
+        self._settled = QtCore.QTimer(self._ui)
+        self._settled.setSingleShot(True)
+        self._settled.setInterval(PAUSE)
+        self._settled.timeout.connect(self._solve_settled)
         self._set_up()
         self._connect_show()
         self._hide_object()
-        self._picking = Picking(session.document, self._picked, session.obj, lambda: self._takes_points)
+        self._picking = Picking(session.document, self._picked, session.obj, lambda: self._wanted)
         self._escape = EscapeKey(self._view, self._escaped)
         self._closing = ClosingDocument(session.document, self._document_closed)
         self._refresh()
 
     # --- subclasses ---
 
-    _takes_points = False  # whether vertices, and objects as a whole, may be picked now
+    _wanted = Wanted.EDGES  # what may be picked now
+
+    def _make_boxes(self) -> list:
+        """The task boxes below its own."""
+        self._choices_ui = Gui.PySideUic.loadUi(paths.form("choices.ui"))
+        self._choices = self.MAKE_CHOICES(self._choices_ui, self._session)
+        self._choices.changed.connect(self._refresh)
+        return [self._choices_ui.shapeBox, self._choices_ui.resultBox]
 
     def _set_up(self) -> None:
         """Makes the widgets and the picture of its own."""
@@ -136,6 +145,16 @@ class SolvingPanel:
     def _apply(self) -> None:
         if self._is_ready(self._apply) and self._commit():
             self._hide_object()
+
+    def _start_anew(self) -> None:
+        """What was solved is of another request."""
+        self._result = None
+        self._settled.stop()
+
+    def _solve_settled(self) -> None:
+        """What was dragged stays: what OK takes is solved."""
+        if not self._is_closed and self._result is None:
+            self._solve_or_wait(self._session.problem, True)
 
     def _solve_or_wait(self, problem: str, is_asked: bool) -> None:
         """Solves what is asked now, unless there is a problem or nobody wants to see it yet."""
@@ -197,13 +216,17 @@ class SolvingPanel:
         ui.stopButton.clicked.connect(self._stop)
         ui.previewCheck.setChecked(settings.shows_preview())
         ui.previewCheck.toggled.connect(self._refresh)
-        ui.labelsCheck.setChecked(settings.shows_labels())
-        ui.labelsCheck.toggled.connect(self._display.show_labels)
-        self._display.show_labels(ui.labelsCheck.isChecked())
+        self._connect_labels()
         for widget in (ui.progressBar, ui.stopButton):
             keep = widget.sizePolicy()
             keep.setRetainSizeWhenHidden(True)  # nothing jumps while computing
             widget.setSizePolicy(keep)
+
+    def _connect_labels(self) -> None:
+        check = self._ui.labelsCheck
+        check.setChecked(settings.shows_labels())
+        check.toggled.connect(self._display.show_labels)
+        self._display.show_labels(check.isChecked())
 
     def _say(self, sign: Status, text: str) -> None:
         self._ui.verdictIcon.setPixmap(sign.pixmap(16) if text else QtGui.QPixmap())
@@ -217,23 +240,32 @@ class SolvingPanel:
         self._say(sign, text)
 
     def _show_busy(self, busy: bool) -> None:
+        label = self._ui.verdictLabel
+        label.setMinimumHeight(label.height() if busy else 0)  # what is below stays under the mouse
         self._ui.progressBar.setVisible(busy)
         self._ui.stopButton.setVisible(busy)
 
     def _hide_object(self) -> None:
         """The preview stands for the object while the panel is open."""
+        self._show_object(False)
+
+    def _show_object(self, shown: bool) -> None:
         if self._session.obj:
-            self._session.obj.ViewObject.Visibility = False
+            self._session.obj.ViewObject.Visibility = shown
 
     def _make_room(self) -> None:
         """A dock too narrow for the buttons is widened: nothing of the panel is cut off."""
         if self._is_closed:
             return
-        self._table.fit_height()
-        window, needed = Gui.getMainWindow(), max(NARROWEST, self._table.needed_width() + MARGINS)
+        window, needed = Gui.getMainWindow(), max(NARROWEST, self._needed_width() + MARGINS)
         for dock in window.findChildren(QtGui.QDockWidget):
             if dock.isAncestorOf(self.form[0]) and dock.width() < needed:
                 window.resizeDocks([dock], [needed], QtCore.Qt.Horizontal)
+
+    def _needed_width(self) -> int:
+        """Pixels for its table to show in full."""
+        self._table.fit_height()
+        return self._table.needed_width()
 
     # --- closing ---
 
@@ -242,8 +274,7 @@ class SolvingPanel:
         document = self._session.document
         self._detach()
         self._display.remove()
-        if self._session.obj:
-            self._session.obj.ViewObject.Visibility = True
+        self._show_object(True)
         Gui.Control.closeDialog()
         with contextlib.suppress(NameError):  # FreeCAD's word for a document without a window
             Gui.getDocument(document.Name).resetEdit()

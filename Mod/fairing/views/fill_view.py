@@ -15,8 +15,13 @@ class FillView:
     def __init__(self, view_object):
         view_object.ShapeColor = settings.patch_color()
         self.attach_to(view_object, self)
-        if view_object.Object.ResultMode == "base":
+        if self.replaces(view_object.Object):
             self._show_bases(view_object.Object, False)
+
+    @classmethod
+    def replaces(cls, obj) -> bool:
+        """Whether the result stands for its bases, too."""
+        return obj.ResultMode == "base"
 
     @staticmethod
     def bases_of(obj):
@@ -41,9 +46,13 @@ class FillView:
         return icon(self.ICON)
 
     def claimChildren(self):
-        """A fill that contains its base stands above it in the tree, as Part's operations do."""
+        """A fill stands above its guides in the tree, and above its base where it contains it, as Part's operations
+        do."""
         obj = getattr(self, "object", None)
-        return self.bases_of(obj) if obj and obj.ResultMode == "base" else []
+        if not obj:
+            return []
+        bases = self.bases_of(obj) if self.replaces(obj) else []
+        return bases + (obj.Guides if "Guides" in obj.PropertiesList else [])
 
     def setEdit(self, view_object, mode: int = EDIT_DEFAULT):
         return self.open_panel(view_object.Object) if mode == EDIT_DEFAULT else None
@@ -63,7 +72,7 @@ class FillView:
         return True
 
     def onDelete(self, view_object, sub_elements) -> bool:
-        if view_object.Object.ResultMode == "base":
+        if self.replaces(view_object.Object):
             self._show_bases(view_object.Object, True)
         return True
 

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A hole whose surface is guided, in the real window: a handle set by a click, dragged and typed, a curve and a reference
+picked, weights slid, all of it live; one step to undo, saved, reopened and edited again."""
+
+import re
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+import gui
+import support
+
+panels = gui.keep_panels()
+
+
+def handle_arrow(number=0):
+    """Foot and tip of a handle's arrow."""
+    display = panels[-1]._display
+    arrow = display.guide_handles._arrows[number]
+    return arrow.point, arrow.tip(display._mouse)
+
+
+def drawn_points():
+    """Of the surface in the 3D view."""
+    return panels[-1]._display._preview._surface._points.point.getValues()
+
+
+def camera():
+    """Where it is and how it looks; how far is the renderer's own business."""
+    node = view.getCameraNode()
+    return node.position.getValue().getValue(), node.orientation.getValue().getValue(), node.height.getValue()
+
+
+def rows():
+    shown = gui.widget("guideList")
+    return [shown.item(row).text() for row in range(shown.count())]
+
+
+def angles():
+    """Rms and largest angle to the guide, as the panel tells them."""
+    found = re.match(r"Follows within ([\d.]+)\S rms, ([\d.]+)\S at most", gui.widget("followLabel").text())
+    assert found, gui.widget("followLabel").text()
+    return float(found[1]), float(found[2])
+
+
+gui.start()
+document, base, edges = support.example()
+view = gui.look_at_all()
+Gui.Selection.addSelection(document.Name, base.Name, edges[0])
+Gui.runCommand("Fairing_FillHole")
+gui.wait_for_verdict("Meets all 4 edges")
+assert not gui.widget("guideList").isVisible() and not gui.widget("weightsRow").isVisible()
+plain = drawn_points()
+middle = App.Vector(*min(plain, key=lambda p: (App.Vector(*p) - App.Vector(0, 7, 61)).Length))
+
+# A click on the surface sets a normal there, and nothing else happens to what lies behind.
+gui.widget("normalButton").click()
+gui.click(view, middle)
+gui.wait_for_verdict("Meets all 4 edges")
+assert len(rows()) == 1 and "Normal" in rows()[0] and not gui.widget("normalButton").isChecked()
+assert gui.widget("lambdaSpin").value() == 100.0 and gui.widget("guideRow").isVisible()
+assert not Gui.Selection.hasSelection() and document.Objects == [base]
+foot, tip = handle_arrow()
+assert foot.distanceToPoint(middle) < 1.0
+gui.picture("20_handle")
+
+# Dragged by its tip the surface follows at once; the weight makes the angles fall.
+still = camera()
+gui.drag(view, tip, foot + App.Vector(0.45, 0, 0.893) * (tip - foot).Length,
+         at_half=lambda: gui.picture("21_handle_dragged"))
+assert camera() == still and not Gui.Selection.hasSelection()
+assert gui.widget("xSpin").value() > 0.3
+gui.wait_for_verdict("Meets all 4 edges")
+start = angles()
+gui.widget("lambdaSpin").setValue(1000.0)  # the middle of the slider, where its handle is taken
+gui.wait_for_verdict("Meets all 4 edges")
+gui.drag_slider("lambdaSlider", 0.1)
+gui.wait_for_verdict("Meets all 4 edges")
+assert gui.widget("lambdaSpin").value() > 1000.0
+assert angles()[0] < start[0], (start, angles())
+gui.picture("22_heavier")
+
+# Moved by its foot, over the surface.
+foot, _ = handle_arrow()
+gui.drag(view, foot, App.Vector(*min(drawn_points(), key=lambda p: (App.Vector(*p) - foot - App.Vector(6, 6, 0)).Length)))
+gui.wait_for_verdict("Meets all 4 edges")
+assert 2.0 < handle_arrow()[0].distanceToPoint(foot) < 12.0
+
+# Typed: direction, weight, radius. A zero normal is told.
+gui.widget("xSpin").setValue(0.4)
+gui.widget("ySpin").setValue(0.0)
+gui.widget("zSpin").setValue(1.0)
+gui.widget("weightSpin").setValue(2.0)
+gui.type_into("radiusSpin", "25 mm")
+gui.wait_for_verdict("Meets all 4 edges")
+assert rows()[0].endswith("(0.37, 0.00, 0.93)"), rows()
+gui.widget("xSpin").setValue(0.0)
+gui.widget("zSpin").setValue(0.0)
+gui.wait_for_verdict("The guide given: normal 1 is wrong, its normal is zero")
+gui.widget("zSpin").setValue(1.0)
+gui.widget("xSpin").setValue(0.4)
+gui.wait_for_verdict("Meets all 4 edges")
+
+# OK: the fill and its handle, one step to undo.
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+fill = document.Fill
+handle, = fill.Guides
+assert document.UndoNames == ["Fill hole"] and fill.isValid() and fill.WithinTolerance
+assert handle.Weight == 2.0 and handle.Radius.Value == 25.0 and tuple(handle.Normal) == (0.4, 0.0, 1.0)
+assert fill.ViewObject.Proxy.claimChildren() == [handle]
+gui.picture("23_guided_fill")
+area = fill.Shape.Area
+document.undo()
+assert document.Objects == [base]
+document.redo()
+fill = document.Fill
+assert len(fill.Guides) == 1 and abs(fill.Shape.Area - area) < 1e-9 * area
+
+# Saved, reopened, edited again: a reference is picked, the handle goes.
+path = support.saved(document)
+App.closeDocument(document.Name)
+document = App.openDocument(path)
+view = gui.look_at_all()
+fill, base = document.Fill, document.Base
+raised = gui.part(document, "Raised", support.make_example.sheet().toShape())
+raised.Placement = App.Placement(App.Vector(0, 0, 5), App.Rotation())
+document.recompute()
+Gui.ActiveDocument.setEdit("Fill")
+gui.wait_for_verdict("Meets all 4 edges")
+assert len(rows()) == 1
+gui.widget("referenceButton").click()
+Gui.Selection.addSelection(document.Name, "Raised", "Face1")
+gui.wait_for(lambda: len(rows()) == 2, "the reference to be taken")
+gui.wait_for_verdict("Meets all 4 edges")
+assert rows()[1] == "Raised: Face1" and gui.widget("gammaSlider").isEnabled()
+gui.widget("guideList").setCurrentRow(0)
+gui.widget("directionButton").click()
+Gui.Selection.addSelection(document.Name, "Raised", "Face1")
+gui.wait_for(lambda: "Normal from Raised: Face1" in rows()[0], "the direction to be taken")
+gui.wait_for_verdict("Meets all 4 edges")
+gui.widget("gammaSpin").setValue(1000.0)
+gui.wait_for_verdict("Meets all 4 edges")
+assert "from the reference" in gui.widget("followLabel").text()
+gui.picture("24_reference")
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+assert fill.Guides[0].Direction == (raised, ["Face1"]) and fill.Gamma == 1000.0
+assert fill.Reference == [(raised, ("Face1",))] and fill.isValid()
+steps = len(document.UndoNames)
+Gui.ActiveDocument.setEdit("Fill")
+gui.wait_for_verdict("Meets all 4 edges")
+gui.widget("guideList").setCurrentRow(0)
+gui.widget("guideRemoveButton").click()
+gui.wait_for_verdict("Meets all 4 edges")
+assert rows() == ["Raised: Face1"]
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+assert fill.Guides == [] and len(document.UndoNames) == steps + 1
+assert not document.findObjects("App::FeaturePython")
+print("passed")
