@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 from typing import Any, Iterable, Mapping, Optional
 
 from . import native, subelements
@@ -40,6 +41,10 @@ class BlendRequest:
     ring: bool = False  # the chains of to_edges are open and come to a vertex with that of from_edges
     cuts: tuple[int, ...] = ()  # edges from rim to rim that show where a junction is cut
     energy: str = Choices.energy
+    lambda_: float = 0.0  # weight of the guiding normals
+    gamma: float = 0.0  # weight of the reference surface
+    reference: Optional[bytes] = dataclasses.field(default=None, repr=False)  # BREP of the faces that guide
+    guide: str = dataclasses.field(default="[]", repr=False)  # JSON: handles, curves
     gap_tolerance: Optional[float] = None  # mm; None: a millionth of the diagonal of both chains
     angle_tolerance: float = Choices.angle_tolerance  # degrees
     degree: int = 0  # 0: chosen from the edges
@@ -64,7 +69,8 @@ class BlendRequest:
         """Keyword arguments of the native Shape.blend()."""
         given = dataclasses.asdict(self)
         lists = ("from_edges", "to_edges", "from_curve", "to_curve", "pairs", "ends", "end_faces", "cuts")
-        given.update({name: list(given[name]) for name in lists}, edge_continuity=dict(self.edge_continuity))
+        given.update({name: list(given[name]) for name in lists}, edge_continuity=dict(self.edge_continuity),
+                     guide=json.loads(self.guide))
         return {NATIVE_NAMES.get(name, name): value for name, value in given.items()}
 
     def solve(self, brep: bytes, progress=None):

@@ -9,9 +9,10 @@ import FreeCAD as App
 
 from .. import exchange
 from ..blend_request import BlendRequest
-from . import blend_properties as properties
+from . import blend_properties as properties, guide_objects
 from .blend_sides import BlendSides, Side, pairs_of
-from .links import several
+from .guides import guides_of, native_text
+from .links import reference_data, several
 from .placement import container_for_results, container_of
 from .solved_feature import SolvedFeature
 
@@ -24,12 +25,12 @@ class BlendFeature(SolvedFeature):
 
     def solve(self, obj: App.DocumentObject):
         sides = properties.read_sides(obj)
-        return solve(sides.request(**properties.read_choices(obj)), sides)
+        return solve(properties.read_request(obj, sides), sides)
 
 
 def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Optional[Mapping[Any, str]] = None,
                to_continuity: Optional[Mapping[Any, str]] = None, pairs=(), from_curve=None, to_curve=None, ends=(),
-               cuts=(), **options) -> App.DocumentObject:
+               cuts=(), reference=None, guides=(), **options) -> App.DocumentObject:
     """Makes a surface that joins chains of free edges, beside the first one's object in the document, computed.
 
     from_edges       (object, ["Edge3"]): one edge of a smooth chain is enough
@@ -43,6 +44,8 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
     to_curve         the same for the other side
     ends             what the ends of a blend between open sides follow, a list of (object, ["Edge3", "Face2"])
     cuts             edges from rim to rim that show where a junction is cut, a list of (object, ["Edge1"])
+    reference        faces and meshes that guide by the weights lambda_ and gamma, see make_fill()
+    guides           handles and feature curves, see make_fill()
     options          those of fairing.blend()
     Raises FairingError (or NativeModuleError) with one sentence, and then the document is as it was.
     """
@@ -51,13 +54,16 @@ def make_blend(from_edges, to_edges, *, name: str = "Blend", from_continuity: Op
     container = container_for_results(beside)
     sides = BlendSides(first, second, container, pairs_of(pairs, first, second),
                        (several(from_curve), several(to_curve)), several(ends), several(cuts))
-    request = sides.request(**options)
+    guides = guides_of(guides)
+    request = sides.request(reference=reference_data(reference, container), guide=native_text(guides, container),
+                            **options)
     solve(request, sides)
     obj = beside.Document.addObject("Part::FeaturePython", name)
     if container:
         container.addObject(obj)
     BlendFeature(obj)
-    properties.write_request(obj, request, sides)
+    properties.write_request(obj, request, sides, several(reference))
+    guide_objects.write(obj, guides)
     if App.GuiUp:
         from ..views.blend_view import BlendView
 
@@ -86,9 +92,14 @@ def change_blend(obj: App.DocumentObject, *, from_edges=None, to_edges=None,
                    for was, given in zip(properties.read_curves(obj), (from_curve, to_curve)))
     sides = BlendSides(first, second, container_of(obj), pairs or (), curves,
                        obj.Ends if ends is None else several(ends), obj.Cuts if cuts is None else several(cuts))
-    request = sides.request(**{**properties.read_choices(obj), **changes})
+    reference = several(changes.pop("reference", obj.Reference))
+    guides = guides_of(changes.pop("guides", guide_objects.read(obj)))
+    guidance = {"reference": reference_data(reference, container_of(obj)),
+                "guide": native_text(guides, container_of(obj))}
+    request = sides.request(**{**properties.read_choices(obj), **changes, **guidance})
     solve(request, sides)
-    properties.write_request(obj, request, sides)
+    properties.write_request(obj, request, sides, reference)
+    guide_objects.write(obj, guides)
     obj.Document.recompute([obj])
     return obj
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD as App
 
 from ..blend_request import BlendRequest
-from . import choice_properties, fill_properties
+from . import choice_properties, fill_properties, guidance_properties
 from .blend_sides import BlendSides, Curves, Side, named_pairs, pairs_of
 from .links import links_of
 from .placement import container_of
@@ -63,6 +63,8 @@ ASKED = (
     ("GapTolerance", "App::PropertyLength", "Boundary",
      "Largest distance of an edge from the surface; 0: a millionth of the diagonal of both chains"),
     *choice_properties.chosen("Continuity", "AngleTolerance", "Energy", "Degree", "MaxPoles"),
+    *guidance_properties.ASKED,
+    *guidance_properties.GUIDES,
     ("ResultMode", "App::PropertyEnumeration", "Result",
      "patches: the new face; shell: a shell of it; base: sewn to what it joins, a solid where that closes it"),
 )
@@ -72,7 +74,7 @@ MEASURED = tuple(item for item in fill_properties.MEASURED if item[0] not in ("L
 NAMES = {"continuity": "Continuity", "from_reach": "FromReach", "to_reach": "ToReach",
          "from_reach_end": "FromReachEnd", "to_reach_end": "ToReachEnd", "from_departure": "FromDeparture",
          "to_departure": "ToDeparture", "from_flip": "FromFlip", "to_flip": "ToFlip", "from_setback": "FromSetback",
-         "to_setback": "ToSetback", "match": "Match", "ring": "Ring", "alignment": "Alignment", "energy": "Energy",
+         "to_setback": "ToSetback", "match": "Match", "ring": "Ring", "alignment": "Alignment", "energy": "Energy", "lambda_": "Lambda", "gamma": "Gamma",
          "gap_tolerance": "GapTolerance", "angle_tolerance": "AngleTolerance", "degree": "Degree",
          "max_poles": "MaxPoles", "result": "ResultMode"}
 NONE_AT_ZERO = ("gap_tolerance", "from_reach_end", "to_reach_end")
@@ -87,8 +89,9 @@ def add_properties(obj: App.DocumentObject) -> None:
                           {name: getattr(plain, member) or 0 for member, name in NAMES.items()})
 
 
-def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSides) -> None:
-    """Stores what is asked for."""
+def write_request(obj: App.DocumentObject, request: BlendRequest, sides: BlendSides, reference) -> None:
+    """Stores what is asked for; of the reference its links. Handles and curves are written by guide_objects."""
+    guidance_properties.write(obj, request.lambda_, request.gamma, reference)
     obj.FromEdges, obj.ToEdges = sides.from_side.links(), sides.to_side.links()
     obj.FromContinuity, obj.ToContinuity = sides.from_side.lines(), sides.to_side.lines()
     obj.Pairs = ["=".join(pair) for pair in named_pairs(sides.pairs, sides.from_side, sides.to_side)]
@@ -129,6 +132,11 @@ def read_choices(obj: App.DocumentObject) -> dict:
     values = {member: getattr(obj, name) for member, name in NAMES.items()}
     plain = {member: getattr(value, "Value", value) for member, value in values.items()}
     return {member: None if member in NONE_AT_ZERO and value == 0 else value for member, value in plain.items()}
+
+
+def read_request(obj: App.DocumentObject, sides: BlendSides) -> BlendRequest:
+    """What an object's properties ask of its sides. Raises ValueError with one sentence."""
+    return sides.request(**{**read_choices(obj), **guidance_properties.read(obj)})
 
 
 def write_report(obj: App.DocumentObject, blend) -> None:

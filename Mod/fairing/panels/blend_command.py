@@ -39,7 +39,8 @@ def blend_command(session) -> str:
     for name, links, was in (("ends", session.asked_ends, known_ends), ("cuts", session.asked_cuts, known_cuts)):
         if links != was:
             head += f", {name}=[{', '.join(map(link_command, links))}]"
-    return head + "".join(f", {name}={value!r}" for name, value in changed.items()) + ")"
+    tail = "".join(f", {name}={value!r}" for name, value in changed.items())
+    return f"{head}{tail}{session.guidance_command()})"
 
 
 def _request_of(obj) -> BlendRequest:

@@ -15,6 +15,7 @@ from .blend_session import CHOICES, FROM, TO, BlendSession
 from .edge_panel import EdgePanel
 from .ends_list import EndsList
 from .fill_choices import LimitChoices
+from .guided_panel import GuidedPanel
 from .more_choices import MoreChoices
 from .pair_list import PairList
 from .reach_rows import ReachRows
@@ -24,7 +25,7 @@ from .side_tables import SideTables
 from .status import Status
 
 
-class BlendPanel(EdgePanel):
+class BlendPanel(GuidedPanel, EdgePanel):
     """Connects a BlendSession with its form."""
 
     FORM, BOX, ICON, MAKE_CHOICES = "blend_faces.ui", "sidesBox", "Fairing_BlendFaces.svg", LimitChoices
@@ -64,10 +65,12 @@ class BlendPanel(EdgePanel):
 
     @property
     def _wanted(self) -> selection.Wanted:
+        if self._guidance.is_picking:
+            return selection.Wanted.GUIDES
         return selection.Wanted.POINTS if self._pairs.is_picking or self._curves.is_picking else selection.Wanted.EDGES
 
     def _picked(self, obj: App.DocumentObject, name: str) -> None:
-        for part in (self._pairs, self._curves, self._ends, self._ring):
+        for part in (self._guidance, self._pairs, self._curves, self._ends, self._ring):
             if part.is_picking:
                 part.picked(obj, name)
                 return
@@ -112,9 +115,14 @@ class BlendPanel(EdgePanel):
             self._refresh()
             return
         self._idle()  # what still runs is of another reach
-        self._result = None
+        self._result = self._kept = None
         self._say(*self._show_surface(*reached))
         self._settled.start()
+
+    def _guide(self) -> None:
+        super()._guide()
+        if self._result is None:
+            self._session.keep(None)  # what reaches start from is of another guide
 
     def _asked_reaches(self) -> tuple[float, float]:
         return self._session.request.from_reach, self._session.request.to_reach

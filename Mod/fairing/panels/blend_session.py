@@ -11,27 +11,30 @@ import FreeCAD as App
 from .. import exchange, subelements
 from ..blend_request import BlendRequest
 from ..features import blend_properties as properties
+from ..features.blend_feature import BlendFeature
 from ..features.blend_sides import NO_SIDE, BlendSides, Pair, Side
 from ..features.links import Link, links_of
 from ..features.placement import container_for_results, container_of, placement_of
 from .blend_chains import BlendChains
 from .blend_command import blend_command
-from .commands import run_as_one_step
+from .commands import make_as_one_step, run_as_one_step
+from .guided_session import MESH_POINTS, GuidedSession
 
-MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
 FROM, TO = range(2)
 # Choices that a strip alone has: a junction is asked none of them.
 STRIP_CHOICES = ("from_reach_end", "to_reach_end", "from_departure", "to_departure",
                  "from_flip", "to_flip", "from_setback", "to_setback", "match", "alignment")
-CHOICES = ("continuity", "from_reach", "to_reach", *STRIP_CHOICES, "ring", "energy", "gap_tolerance", "angle_tolerance", "degree", "max_poles", "result")
+CHOICES = ("continuity", "from_reach", "to_reach", *STRIP_CHOICES, "ring", "energy", "lambda_", "gamma",
+           "gap_tolerance", "angle_tolerance", "degree", "max_poles", "result")
 
 _REACHES = (("from_reach", "from_reach_end"), ("to_reach", "to_reach_end"))
 
 
-class BlendSession:
+class BlendSession(GuidedSession):
     """One blend being made or edited. `loops` holds the edges of either side, `problem` why none is asked."""
 
     def __init__(self, document: App.Document, request: BlendRequest, sides=(None, None), obj=None):
+        super().__init__()
         self.document, self.request, self.obj = document, request, obj
         self.sides: list[Optional[Side]] = list(sides)
         self.pairs: tuple[Pair, ...] = ()
@@ -51,6 +54,7 @@ class BlendSession:
         session.pairs, session.ends = properties.read_pairs(obj), links_of(obj.Ends)
         session.cuts = links_of(obj.Cuts)
         session.curves = list(properties.read_curves(obj))
+        session._read_guidance(obj)
         return session
 
     @property
@@ -157,6 +161,7 @@ class BlendSession:
         """What a background thread computes: the native Blend and its mesh. Touches plain data only."""
         idle = {} if self.is_strip else dict.fromkeys(("from_curve", "to_curve", "ends", "end_faces"), ())
         idle.update({} if self.is_junction else {"cuts": ()})
+        idle.update(reference=self.request.reference, guide=self.request.guide)
         request, brep = self._chains.sides.request(**self.choices(), **idle), self._chains.brep
 
         def solve(progress):
@@ -199,10 +204,11 @@ class BlendSession:
 
     def commit(self) -> None:
         """Writes the blend into the document as one step to undo, by commands the macro recorder understands."""
-        title = "Blend faces" if self.obj is None else f"Edit {self.obj.Label}"
-        run_as_one_step(self.document, title, blend_command(self))
         if self.obj is None:
-            self.obj = self.document.ActiveObject
+            self.obj = make_as_one_step(self.document, "Blend faces", blend_command(self), BlendFeature.TYPE)
+        else:
+            run_as_one_step(self.document, f"Edit {self.obj.Label}", blend_command(self))
+        self._read_guidance(self.obj)  # with the names of new guides
 
     @property
     def is_strip(self) -> bool:

@@ -103,4 +103,4 @@ class EditSession(GuidedSession):
             if not self.obj.Face or self.obj.Face[0] is not self.base or self.request.face != before.face:
                 head += f", {face!r}, base={base}"
         tail = "".join(f", {name}={value!r}" for name, value in self.request.differences(before).items())
-        return f"{head}{tail}{self._guidance_command()})"
+        return f"{head}{tail}{self.guidance_command()})"

@@ -134,7 +134,7 @@ class FillAllSession(GuidedSession):
         if "skipped" in changes:
             changes["skipped"] = self.request.skipped_names()
         tail = "".join(f", {name}={value!r}" for name, value in changes.items())
-        return f"{head}{tail}{self._guidance_command()})"
+        return f"{head}{tail}{self.guidance_command()})"
 
 
 def joined(meshes):

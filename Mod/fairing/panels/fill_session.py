@@ -147,7 +147,7 @@ class FillSession(GuidedSession):
             if not self.obj.Edges or self.obj.Edges[0] is not self.base or self.request.picks() != before.picks():
                 head += f", {self.request.picks()!r}, base={base}"
         tail = "".join(f", {name}={value!r}" for name, value in self.request.differences(before).items())
-        tail += self._guidance_command()
+        tail += self.guidance_command()
         if self.through != parts:
             tail += f", through=[{', '.join(map(link_command, self.through))}]"
         return f"{head}{tail})"

@@ -76,7 +76,7 @@ class GuidedSession:
         self.set_reference(self.reference)
         self.set_guides(self.guides)
 
-    def _guidance_command(self) -> str:
+    def guidance_command(self) -> str:
         """The arguments of a script that say what differs from the session's object, or from no guidance."""
         before, known = [], ()
         if self.obj is not None:
