@@ -234,8 +234,12 @@ TEST(Quantities, ChooseUnitsPeopleRead) {
 TEST(Words, AreUnderstoodAsTheyAreWritten) {
   for (const Continuity c : {Continuity::G0, Continuity::G1, Continuity::G2})
     EXPECT_EQ(continuityFrom(word(c)), c);
-  for (const EnergyKind e :
-       {EnergyKind::Membrane, EnergyKind::ThinPlate, EnergyKind::MeanCurvatureGradient})
+  for (const EnergyKind e : {EnergyKind::Membrane,
+                             EnergyKind::ThinPlate,
+                             EnergyKind::MeanCurvatureGradient,
+                             EnergyKind::MeanCurvatureGradientMinimum,
+                             EnergyKind::MinimumVariation,
+                             EnergyKind::TotalCurvature})
     EXPECT_EQ(energyFrom(word(e)), e);
   for (const LayoutKind l : {LayoutKind::Auto,
                              LayoutKind::Quad,
