@@ -44,6 +44,8 @@ constexpr double kPinning = 1e5;
 // at 1e-8 of its energy with 1e4, at 1e-6 with 1e5), less of it steps. Second order: less of it
 // lets the first row of control points slide onto the border, where a crease costs nothing.
 constexpr double kAnchorOfThirdOrder = 1e4, kAnchorOfSecondOrder = 1e6;
+// From one level to the next, which starts closer to its end.
+constexpr double kRelease = 0.1;
 // The degree's own number is enough for a few steps; to the end, displacements that change no
 // residual are found and taken.
 constexpr int kMorePoints = 2;
@@ -158,6 +160,7 @@ class Improvement {
                                                const Effort& effort,
                                                int level) {
     const solver::Points start = points;
+    const ShapeHold hold{effort.hold.step, effort.hold.anchor * std::pow(kRelease, level)};
     std::optional<ShapeDescent> descent;  // lasts as long as its program
     shape.energy =
         assembly::shapeEnergyOf(makePatches(shape.layout, points), energy_, effort.quadrature);
@@ -171,8 +174,7 @@ class Improvement {
         descent.reset();
       }
       if (!descent)
-        descent.emplace(
-            shape.layout, energy_, program_, start, size_, effort.hold, effort.quadrature);
+        descent.emplace(shape.layout, energy_, program_, start, size_, hold, effort.quadrature);
       const double before = descent->energyAt(points) + descent->anchorAt(points);
       const bool fell = descent->step(points);
       shape.energy = descent->energyAt(points);
