@@ -15,7 +15,8 @@ from . import subelements
 # The words documents, files and scripts store: change none, add only. The first one is what a new property shows.
 CONTINUITIES = ("G0", "G1", "G2")
 LAYOUTS = ("auto", "quad", "star", "o-grid", "trimmed")
-ENERGIES = ("thin-plate", "membrane", "mean-curvature-gradient")
+ENERGIES = ("thin-plate", "membrane", "mean-curvature-gradient", "mean-curvature-gradient-minimum", "minimum-variation",
+            "total-curvature")
 RESULTS = ("patches", "shell", "base")
 EDIT_ENERGIES = ("thin-plate", "membrane")  # of an edit
 KEEPS = ("auto", *CONTINUITIES)  # what an edit keeps of a border

@@ -665,6 +665,18 @@
    <translation>Geringste Krümmungsänderung</translation>
   </message>
   <message>
+   <source>Least change of curvature, to the end</source>
+   <translation>Kleinste Krümmungsänderung, bis zum Ende</translation>
+  </message>
+  <message>
+   <source>Minimum variation</source>
+   <translation>Kleinste Variation</translation>
+  </message>
+  <message>
+   <source>Total curvature</source>
+   <translation>Gesamtkrümmung</translation>
+  </message>
+  <message>
    <source>Result and limits</source>
    <translation>Ergebnis und Grenzen</translation>
   </message>
@@ -810,6 +822,18 @@
   <message>
    <source>Least change of curvature - the fairest</source>
    <translation>Geringste Krümmungsänderung - am schönsten</translation>
+  </message>
+  <message>
+   <source>Least change of curvature, to the end - the same, taken to its minimum</source>
+   <translation>Kleinste Krümmungsänderung, bis zum Ende - dieselbe, bis zum Minimum geführt</translation>
+  </message>
+  <message>
+   <source>Minimum variation - brings back spheres, cylinders, cones and tori</source>
+   <translation>Kleinste Variation - bringt Kugeln, Zylinder, Kegel und Tori zurück</translation>
+  </message>
+  <message>
+   <source>Total curvature - bends as little as possible, whatever the parameters</source>
+   <translation>Gesamtkrümmung - biegt sich so wenig wie möglich, unabhängig von den Parametern</translation>
   </message>
   <message>
    <source>Result</source>
@@ -982,8 +1006,20 @@
    <translation>Dehnt sich so wenig wie möglich.</translation>
   </message>
   <message>
-   <source>Changes its curvature as little as possible: the fairest, and the slowest.</source>
-   <translation>Ändert ihre Krümmung so wenig wie möglich: am schönsten und am langsamsten.</translation>
+   <source>Changes its curvature as little as possible: fair and quick.</source>
+   <translation>Ändert ihre Krümmung so wenig wie möglich: schön und schnell.</translation>
+  </message>
+  <message>
+   <source>The same, taken to its minimum: slower.</source>
+   <translation>Dasselbe, bis zum Minimum geführt: langsamer.</translation>
+  </message>
+  <message>
+   <source>Brings back spheres, cylinders, cones and tori. Slower.</source>
+   <translation>Bringt Kugeln, Zylinder, Kegel und Tori zurück. Langsamer.</translation>
+  </message>
+  <message>
+   <source>Bends as little as possible, whatever the parameters. Slower.</source>
+   <translation>Biegt sich so wenig wie möglich, unabhängig von den Parametern. Langsamer.</translation>
   </message>
   <message>
    <source>Found by itself: it continues a picked edge smoothly</source>

@@ -92,7 +92,10 @@ void SolveArguments::addFiles(CLI::App& command, const char* whatShape) {
 void SolveArguments::addChoices(CLI::App& command) {
   command.add_option("--energy",
                      energy,
-                     "thin-plate, membrane or mean-curvature-gradient (default " + energy + ")");
+                     "thin-plate, membrane, mean-curvature-gradient, "
+                     "mean-curvature-gradient-minimum, minimum-variation or total-curvature "
+                     "(default " +
+                         energy + ")");
   command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
   command.add_option("--max-poles",
                      maxPoles,

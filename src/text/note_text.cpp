@@ -27,6 +27,15 @@ std::string sentence(const analysis::Note& note) {
       return fmt::format(
           "The hole turns {} from the plane it is trimmed over: another layout suits it better.",
           angle(note.value));
+    case analysis::NoteCode::ShapeLimit:
+      return fmt::format(
+          "The energy was still falling after {:.0f} steps: the best shape so far is kept.",
+          note.value);
+    case analysis::NoteCode::ShapeUndefined:
+      return fmt::format(
+          "The energy is undefined near {}, where the surface it starts from has no normal: the "
+          "thin plate is kept.",
+          point(note.where));
     case analysis::NoteCode::StripCreased:
       return note.value > 0.0
                  ? fmt::format(

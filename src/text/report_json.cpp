@@ -80,17 +80,27 @@ json toJson(const analysis::FairnessReport& fairness) {
           {"largest_curvature", fairness.largestCurvature}};
 }
 
-json toJson(const solver::SolveSummary& summary) {
-  return {{"solves", summary.solves},
-          {"poles", summary.poles},
-          {"unknowns", summary.unknowns},
-          {"constraints", summary.constraints},
-          {"energy", summary.energy},
-          {"constraint_residual", summary.constraintResidual},
-          {"layout_time", summary.layoutTime},
-          {"solve_time", summary.solveTime},
-          {"measure_time", summary.measureTime},
-          {"total_time", summary.totalTime}};
+std::string_view word(solver::ShapeEnd end) {
+  switch (end) {
+    case solver::ShapeEnd::None:
+      break;
+    case solver::ShapeEnd::Quick:
+      return "quick";
+    case solver::ShapeEnd::Converged:
+      return "converged";
+    case solver::ShapeEnd::Limit:
+      return "limit";
+    case solver::ShapeEnd::Undefined:
+      return "undefined";
+  }
+  return "none";
+}
+
+json toJson(const solver::ShapeStep& step) {
+  return {{"level", step.level},
+          {"energy", step.energy},
+          {"anchor", step.anchor},
+          {"length", step.length}};
 }
 
 template <class T>
@@ -98,6 +108,25 @@ json list(const std::vector<T>& items) {
   json result = json::array();
   for (const T& item : items) result.push_back(toJson(item));
   return result;
+}
+
+json toJson(const solver::ShapeHistory& shape) {
+  return {{"start", shape.start}, {"steps", list(shape.steps)}, {"end", word(shape.end)}};
+}
+
+json toJson(const solver::SolveSummary& summary) {
+  return {{"solves", summary.solves},
+          {"poles", summary.poles},
+          {"unknowns", summary.unknowns},
+          {"constraints", summary.constraints},
+          {"energy", summary.energy},
+          {"constraint_residual", summary.constraintResidual},
+          {"shape", toJson(summary.shape)},
+          {"layout_time", summary.layoutTime},
+          {"shape_time", summary.shapeTime},
+          {"solve_time", summary.solveTime},
+          {"measure_time", summary.measureTime},
+          {"total_time", summary.totalTime}};
 }
 
 }  // namespace

@@ -12,10 +12,13 @@ using Words = std::array<std::pair<T, std::string_view>, n>;
 
 constexpr Words<Continuity, 3> kContinuities{
     {{Continuity::G0, "G0"}, {Continuity::G1, "G1"}, {Continuity::G2, "G2"}}};
-constexpr Words<EnergyKind, 3> kEnergies{
+constexpr Words<EnergyKind, 6> kEnergies{
     {{EnergyKind::Membrane, "membrane"},
      {EnergyKind::ThinPlate, "thin-plate"},
-     {EnergyKind::MeanCurvatureGradient, "mean-curvature-gradient"}}};
+     {EnergyKind::MeanCurvatureGradient, "mean-curvature-gradient"},
+     {EnergyKind::MeanCurvatureGradientMinimum, "mean-curvature-gradient-minimum"},
+     {EnergyKind::MinimumVariation, "minimum-variation"},
+     {EnergyKind::TotalCurvature, "total-curvature"}}};
 constexpr Words<LayoutKind, 7> kLayouts{{{LayoutKind::Auto, "auto"},
                                          {LayoutKind::Quad, "quad"},
                                          {LayoutKind::Star, "star"},

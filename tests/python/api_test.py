@@ -45,6 +45,15 @@ def test_membrane_is_smaller_and_thin_plate_fairer(sheet, edges):
     assert membrane_report["fairness"]["total_curvature"] > plate_report["fairness"]["total_curvature"]
 
 
+@pytest.mark.parametrize("energy", ["mean-curvature-gradient-minimum", "minimum-variation", "total-curvature"])
+def test_energies_of_the_shape_go_to_their_minimum(sheet, edges, energy):
+    _, report = fairing.fill(sheet, edges[:1], energy=energy)
+    assert report["within_tolerance"]
+    shape = report["solve"]["shape"]
+    assert shape["end"] == "converged"
+    assert shape["steps"][-1]["energy"] <= shape["start"]
+
+
 def test_a_reference_attracts(sheet, edges):
     free, _ = fairing.fill(sheet, edges[:1])
     reference = free.translated(App.Vector(0, 0, 5))

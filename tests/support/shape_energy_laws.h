@@ -12,8 +12,8 @@ void expectExactDerivativesAt(const shape_energy::ShapeEnergy& energy,
                               const shape_energy::Jet& jet);
 /// Turning the surface in space changes no residual.
 void expectRigidInvariance(const shape_energy::ShapeEnergy& energy);
-/// The energy of the surface scaled by s is s^power times its own.
-void expectScaling(const shape_energy::ShapeEnergy& energy, int power);
+/// The energy of the surface scaled by s is s^sizePower() times its own.
+void expectScaling(const shape_energy::ShapeEnergy& energy);
 /// Any linear change of the parameters multiplies the density by that of the area.
 void expectParameterInvariance(const shape_energy::ShapeEnergy& energy);
 

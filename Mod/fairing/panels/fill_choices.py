@@ -81,7 +81,10 @@ class LimitChoices(QtCore.QObject):
         ui.energyHint.setText((
             translate("Fairing", "Bends as little as possible."),
             translate("Fairing", "Stretches as little as possible."),
-            translate("Fairing", "Changes its curvature as little as possible: the fairest, and the slowest."),
+            translate("Fairing", "Changes its curvature as little as possible: fair and quick."),
+            translate("Fairing", "The same, taken to its minimum: slower."),
+            translate("Fairing", "Brings back spheres, cylinders, cones and tori. Slower."),
+            translate("Fairing", "Bends as little as possible, whatever the parameters. Slower."),
         )[ui.energyCombo.currentIndex()])
         ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
 

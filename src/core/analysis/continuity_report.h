@@ -101,6 +101,8 @@ enum class NoteCode {
   CutsFace,          ///< face, where, value = extent in mm: a blend cuts a face it joins
   BasesOverlap,      ///< where, value = extent in mm: the bases of a blend cut each other
   SetbackOffFace,  ///< edge, face, where, value = mm: a curve to set back to was laid onto the face
+  ShapeLimit,      ///< value = steps: the energy of the shape had not come to its minimum
+  ShapeUndefined,  ///< where: the energy of the shape was undefined there; quadratic solution kept
   SetbackExtended,  ///< edge, face, where, value = mm: it was extended to the face's border
   FaceConverted,    ///< face, value = mm: it is no B-spline, and what stands for it is this close
   ReferenceShort,   ///< value = share of the surface that the reference does not cover, 0 to 1

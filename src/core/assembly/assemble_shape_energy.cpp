@@ -70,21 +70,6 @@ class SpanModel {
     }
   }
 
-  [[nodiscard]] ShapeElement finish(const std::vector<int>& numbers, double pinning) const {
-    ShapeElement element;
-    for (const int pole : indices_)
-      element.points.push_back(numbers[static_cast<std::size_t>(pole)]);
-    element.value = residuals_.squaredNorm();
-    element.gradient = 2.0 * (jacobian_.transpose() * residuals_);
-    MatrixXd& hessian = element.hessian;
-    hessian.setZero(jacobian_.cols(), jacobian_.cols());
-    hessian.selfadjointView<Eigen::Lower>().rankUpdate(jacobian_.transpose(), 2.0);
-    hessian.triangularView<Eigen::StrictlyUpper>() = hessian.transpose();
-    if (pinning > 0.0) pin(pinning, hessian);
-    return element;
-  }
-
- private:
   // Basis functions, and the weighted projection onto the tangent plane.
   void addTangential(const GridPoint& qu, const GridPoint& qv, const Jet& jet, Index pointsLeft) {
     if (values_.rows() == 0) {
@@ -97,6 +82,33 @@ class SpanModel {
     const Eigen::Vector3d normal = jet.col(0).cross(jet.col(1)).normalized();
     Eigen::Map<Eigen::Matrix3d>(projections_.col(k).data()) =
         qu.weight * qv.weight * (Eigen::Matrix3d::Identity() - normal * normal.transpose());
+  }
+
+  [[nodiscard]] ShapeElement tangential(const std::vector<int>& numbers) const {
+    ShapeElement element = empty(numbers);
+    element.hessian.setZero(3 * values_.cols(), 3 * values_.cols());
+    pin(1.0, element.hessian);
+    return element;
+  }
+
+  [[nodiscard]] ShapeElement finish(const std::vector<int>& numbers, double pinning) const {
+    ShapeElement element = empty(numbers);
+    element.value = residuals_.squaredNorm();
+    element.gradient = 2.0 * (jacobian_.transpose() * residuals_);
+    MatrixXd& hessian = element.hessian;
+    hessian.setZero(jacobian_.cols(), jacobian_.cols());
+    hessian.selfadjointView<Eigen::Lower>().rankUpdate(jacobian_.transpose(), 2.0);
+    hessian.triangularView<Eigen::StrictlyUpper>() = hessian.transpose();
+    if (pinning > 0.0) pin(pinning, hessian);
+    return element;
+  }
+
+ private:
+  [[nodiscard]] ShapeElement empty(const std::vector<int>& numbers) const {
+    ShapeElement element;
+    for (const int pole : indices_)
+      element.points.push_back(numbers[static_cast<std::size_t>(pole)]);
+    return element;
   }
   void pin(double weight, MatrixXd& hessian) const {
     using Stride = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
@@ -124,12 +136,20 @@ class SpanModel {
   Index filled_ = 0;
 };
 
-void appendElements(const BsplineSurface& patch,
-                    const std::vector<int>& numbers,
-                    const ShapeEnergy& energy,
-                    int points,
-                    double pinning,
-                    std::vector<ShapeElement>& elements) {
+void scatter(const ShapeElement& element, std::vector<Eigen::Triplet<double>>& entries) {
+  const Index n = element.hessian.rows();
+  const auto place = [&](Index k) {
+    return 3 * element.points[static_cast<std::size_t>(k / 3)] + static_cast<int>(k % 3);
+  };
+  for (Index column = 0; column < n; ++column)
+    for (Index row = 0; row < n; ++row)
+      entries.emplace_back(place(row), place(column), element.hessian(row, column));
+}
+
+// Calls add(model, qu, qv, jet, points left in the span) at every point of the quadrature, then
+// finish(model), span by span.
+template <class Add, class Finish>
+void visitSpans(const BsplineSurface& patch, int points, const Add& add, const Finish& finish) {
   const GridLine u = gridLine(patch.u, points), v = gridLine(patch.v, points);
   const std::vector<Jet> jets = spline::gridJets(patch, u, v);
   for (std::size_t su = 0; su < u.points.size(); su += u.perSpan)
@@ -138,12 +158,12 @@ void appendElements(const BsplineSurface& patch,
       std::size_t left = u.perSpan * v.perSpan;
       for (std::size_t i = su; i < su + u.perSpan; ++i)
         for (std::size_t j = sv; j < sv + v.perSpan; ++j, --left)
-          model.add(u.points[i],
-                    v.points[j],
-                    jets[i * v.points.size() + j],
-                    energy,
-                    static_cast<Index>(left));
-      elements.push_back(model.finish(numbers, pinning));
+          add(model,
+              u.points[i],
+              v.points[j],
+              jets[i * v.points.size() + j],
+              static_cast<Index>(left));
+      finish(model);
     }
 }
 
@@ -157,8 +177,36 @@ std::vector<ShapeElement> assembleShapeEnergy(const layout::PatchLayout& layout,
   FAIRING_ASSERT(patches.size() == layout.patches.size());
   std::vector<ShapeElement> elements;
   for (std::size_t p = 0; p < patches.size(); ++p)
-    appendElements(patches[p], layout.patches[p].points, energy, points, pinning, elements);
+    visitSpans(
+        patches[p],
+        points,
+        [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
+          model.add(u, v, jet, energy, left);
+        },
+        [&](const SpanModel& model) {
+          elements.push_back(model.finish(layout.patches[p].points, pinning));
+        });
   return elements;
+}
+
+Eigen::SparseMatrix<double> assembleTangential(const layout::PatchLayout& layout,
+                                               const std::vector<BsplineSurface>& patches,
+                                               int points) {
+  FAIRING_ASSERT(patches.size() == layout.patches.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    visitSpans(
+        patches[p],
+        points,
+        [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
+          model.addTangential(u, v, jet, left);
+        },
+        [&](const SpanModel& model) {
+          scatter(model.tangential(layout.patches[p].points), entries);
+        });
+  Eigen::SparseMatrix<double> matrix(3 * layout.pointCount, 3 * layout.pointCount);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
 double shapeEnergyOf(const std::vector<BsplineSurface>& patches,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "core/layout/patch_layout.h"
@@ -29,6 +30,13 @@ struct ShapeElement {
     const shape_energy::ShapeEnergy& energy,
     int points = 0,
     double pinning = 0.0);
+
+/// The matrix P of  d' P d = integral |d - (d . n) n|^2 du dv,  d displacements of the layout's
+/// points, n the normals of the given patches: 3n x 3n, by the same quadrature.
+[[nodiscard]] Eigen::SparseMatrix<double> assembleTangential(
+    const layout::PatchLayout& layout,
+    const std::vector<spline::BsplineSurface>& patches,
+    int points = 0);
 
 /// The energy alone, by the same quadrature.
 [[nodiscard]] double shapeEnergyOf(const std::vector<spline::BsplineSurface>& patches,

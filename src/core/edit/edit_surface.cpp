@@ -201,9 +201,9 @@ analysis::OnFace onFace(const BsplineSurface& scaled,
 }  // namespace
 
 std::optional<Error> validate(const EditOptions& options) {
-  if (options.energy == EnergyKind::MeanCurvatureGradient)
+  if (isOfShape(options.energy))
     return Error{.code = ErrorCode::UnknownChoice,
-                 .detail = "\"mean-curvature-gradient\" for the energy of an edit"};
+                 .detail = "an energy of the shape itself for an edit"};
   if (options.degree != 0 && (options.degree < kLeastDegree || options.degree > kLargestDegree))
     return Error{.code = ErrorCode::DegreeOutOfRange, .value = double(options.degree)};
   if (options.spans < 0 || options.spans > kMostSpans)

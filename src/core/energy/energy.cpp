@@ -8,7 +8,10 @@ EnergyTerms energyTerms(EnergyKind kind) {
     case EnergyKind::Membrane:
       return membrane();
     case EnergyKind::ThinPlate:
-    case EnergyKind::MeanCurvatureGradient:
+    case EnergyKind::MeanCurvatureGradient:  // energies of the shape start from the plate
+    case EnergyKind::MeanCurvatureGradientMinimum:
+    case EnergyKind::MinimumVariation:
+    case EnergyKind::TotalCurvature:
       break;
   }
   return thinPlate();

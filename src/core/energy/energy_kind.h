@@ -9,6 +9,18 @@ enum class EnergyKind {
   /// integral of |grad H|^2 over the surface itself, whatever its parameters [Kiciak2011]; started
   /// from ThinPlate
   MeanCurvatureGradient,
+  /// the same, taken to its minimum: the one above stops after a few steps towards it
+  MeanCurvatureGradientMinimum,
+  /// integral of (dk1/de1)^2 + (dk2/de2)^2 over the surface, along the lines of curvature
+  /// [MoretonSequin1992]; started from ThinPlate
+  MinimumVariation,
+  /// integral of k1^2 + k2^2 over the surface [MoretonSequin1992]; started from ThinPlate
+  TotalCurvature,
 };
+
+/// Whether an energy is one of the shape itself, whatever its parameters.
+[[nodiscard]] constexpr bool isOfShape(EnergyKind kind) {
+  return kind != EnergyKind::Membrane && kind != EnergyKind::ThinPlate;
+}
 
 }  // namespace fairing

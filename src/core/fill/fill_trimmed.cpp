@@ -97,7 +97,7 @@ Result<Heights> solveOn(const Work& work,
                         solver::SolveSummary& summary) {
   const DomainGrid grid(knots.u, knots.v, work.hole.projected, kGaussPoints);
   auto heights = solveOnce(work, knots, grid, rows, coarser, summary);
-  const bool ofShape = work.options.energy == EnergyKind::MeanCurvatureGradient;
+  const bool ofShape = height_field::isLinearised(work.options.energy);
   const int steps = ofShape ? kShapeSteps : work.options.guidance.acts() ? 1 : 0;
   double least = heights && ofShape ? height_field::shapeEnergy(grid, *heights) : 0.0;
   for (int step = 0; heights && step < steps; ++step) {

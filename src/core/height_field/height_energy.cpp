@@ -80,14 +80,26 @@ std::vector<EnergySquare> quadraticSquares(EnergyKind kind) {
     case EnergyKind::Membrane:
       return {{form({{Hu, 1.0}})}, {form({{Hv, 1.0}})}};
     case EnergyKind::ThinPlate:
+    case EnergyKind::TotalCurvature:
       return {{form({{Huu, 1.0}})}, {form({{Huv, 1.0}}), 0.0, 2.0}, {form({{Hvv, 1.0}})}};
+    case EnergyKind::MinimumVariation:
+      return {{form({{Huuu, 1.0}, {Huvv, 1.0}}), 0.0, 9.0 / 16.0},
+              {form({{Huuv, 1.0}, {Hvvv, 1.0}}), 0.0, 9.0 / 16.0},
+              {form({{Huuu, 1.0}, {Huvv, -3.0}}), 0.0, 1.0 / 16.0},
+              {form({{Hvvv, 1.0}, {Huuv, -3.0}}), 0.0, 1.0 / 16.0}};
     case EnergyKind::MeanCurvatureGradient:
+    case EnergyKind::MeanCurvatureGradientMinimum:
       break;
   }
   std::vector<EnergySquare> squares = allThirds(kAllThirds);
   squares.push_back({form({{Huuu, 1.0}, {Huvv, 1.0}})});
   squares.push_back({form({{Huuv, 1.0}, {Hvvv, 1.0}})});
   return squares;
+}
+
+bool isLinearised(EnergyKind kind) {
+  return kind == EnergyKind::MeanCurvatureGradient ||
+         kind == EnergyKind::MeanCurvatureGradientMinimum;
 }
 
 std::vector<EnergySquare> meanCurvatureGradientSquares(const Jet& jet) {
@@ -103,7 +115,7 @@ void addEnergy(HeightSystem& system,
                EnergyKind kind,
                const Heights* about) {
   const std::vector<EnergySquare> quadratic = quadraticSquares(kind);
-  const bool linearised = about != nullptr && kind == EnergyKind::MeanCurvatureGradient;
+  const bool linearised = about != nullptr && isLinearised(kind);
   CellSquares cell;
   const auto addAll = [&](const JetBasis& at, std::vector<EnergySquare> squares, double weight) {
     for (EnergySquare& square : squares) {

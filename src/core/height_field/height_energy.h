@@ -11,15 +11,22 @@ namespace fairing::height_field {
 ///   thin plate               h_uu^2 + 2 h_uv^2 + h_vv^2
 ///   mean curvature gradient  |grad laplace h|^2, what |grad H|^2 is to first order where the
 ///                            surface is level, and a little of all third derivatives
+///   minimum variation        the mean of h_ddd^2 + h_eee^2 over all orthogonal directions d, e:
+///                            what it is where the surface is level
+///   total curvature          the thin plate, for the same reason
 [[nodiscard]] std::vector<EnergySquare> quadraticSquares(EnergyKind kind);
+
+/// Whether an energy is also that of the surface itself, by Gauss-Newton steps: mean curvature
+/// gradient.
+[[nodiscard]] bool isLinearised(EnergyKind kind);
 
 /// |grad H|^2 dA of the surface itself, linearised about a height: its squares are those of the
 /// Gauss-Newton method. [Kiciak2011]
 [[nodiscard]] std::vector<EnergySquare> meanCurvatureGradientSquares(const Jet& jet);
 
 /// Adds the energy of a height: of what lies inside the loop, and a small share of the same outside
-/// of it, which settles the poles there. With `about`, MeanCurvatureGradient is that of the surface
-/// itself, linearised there.
+/// of it, which settles the poles there. With `about`, an energy that isLinearised() is that of the
+/// surface itself, linearised there.
 void addEnergy(HeightSystem& system,
                const DomainGrid& grid,
                EnergyKind kind,

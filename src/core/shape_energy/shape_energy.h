@@ -29,6 +29,8 @@ class ShapeEnergy {
   virtual ~ShapeEnergy() = default;
   [[nodiscard]] virtual Residuals residuals(const Jet& jet) const = 0;
   [[nodiscard]] virtual ResidualsWithDerivatives linearised(const Jet& jet) const = 0;
+  /// The energy of the surface scaled by s is s^sizePower() times its own.
+  [[nodiscard]] virtual int sizePower() const = 0;
 };
 
 }  // namespace fairing::shape_energy

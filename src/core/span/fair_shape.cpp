@@ -1,51 +1,69 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/span/fair_shape.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
-#include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_shape_energy.h"
 #include "core/layout/layouts.h"
 #include "core/shape_energy/mean_curvature_gradient.h"
-#include "core/solver/tie_points.h"
-
-// One step d from the points x, in the directions T that the constraints leave free:
-//   (T' (s^2 H + w P / s^2 + m M / s^2) T) y = -T' s^2 g,   d = T y
-// H, g   Gauss-Newton model of the energy (assembly/assemble_shape_energy.h), s the hole's diagonal
-// P      tangential part of the displacement, over the surface: the energy does not see the
-//        parametrisation, which would drift
-// M      the whole displacement, over the parameters
-// m      Levenberg-Marquardt weight, raised until the true energy falls [NocedalWright2006] 10.3,
-//        and lowered after a step: the next one starts with what is left of it
+#include "core/shape_energy/minimum_variation.h"
+#include "core/shape_energy/total_curvature.h"
+#include "core/solver/solve.h"
+#include "core/span/shape_descent.h"
 
 namespace fairing {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+// How few the knots are, how far the steps go, and what holds the parametrisation.
+struct Effort {
+  double fitShare;  // of the diagonal: how closely the sides are followed
+  int mostPolesAlong;
+  int steps;          // most, on each level
+  double worthAStep;  // share of the energy that a step has to take away
+  double settled;     // share of the diagonal: smaller steps are the last
+  int levels;         // of knots, every span halved from one to the next
+  ShapeHold hold;
+  int quadrature;  // points a span and direction, 0 = the degree
+};
 
 // Spans over a length as long as the hole is wide. Patches that meet in an inner vertex need more
 // (an octant of a sphere: 4e-5 of the diagonal off at 2, 5e-6 at 3), and so does what guidance
 // shapes.
 constexpr double kDensity = 2.0, kHighDensity = 3.0;
-constexpr double kFitShare = 1e-3;  // of the diagonal: how closely the sides are followed
-constexpr int kMostPolesAlong = 14;
 constexpr int kSteps = 2;
 // A strip's start is farther from its end: nothing holds its middle.
 constexpr int kStepsOfStrips = 8, kStepsOfJunctions = 16;
-constexpr double kWorthAStep = 1e-3;  // of the energy
 // As an integral; 1e4 lets the parametrisation drift: one round more on stars, and waves farther
 // off.
 constexpr double kPinning = 1e5;
-constexpr int kTrials = 12;
-constexpr double kFirstDamping = 1e2, kDampingFactor = 3.0, kRelief = 0.1;
+// Minima that only a fixed parametrisation has: more of it costs shape (an octant of a sphere ends
+// at 1e-8 of its energy with 1e4, at 1e-6 with 1e5), less of it steps. Second order: less of it
+// lets the first row of control points slide onto the border, where a crease costs nothing.
+constexpr double kAnchorOfThirdOrder = 1e4, kAnchorOfSecondOrder = 1e6;
+// From one level to the next, which starts closer to its end.
+constexpr double kRelease = 0.1;
+// The degree's own number is enough for a few steps; to the end, displacements that change no
+// residual are found and taken.
+constexpr int kMorePoints = 2;
+constexpr int kMostStepsToTheEnd = 30;
+// A level of more control points costs more than it gives.
+constexpr int kMostPoints = 450;
+// Over the diagonal. What the fading at umbilics leaves of a cone's energy is of its square.
+constexpr double kUmbilic = 1e-4;
 
-std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind) {
+std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind, double diagonal) {
   switch (kind) {
     case EnergyKind::MeanCurvatureGradient:
+    case EnergyKind::MeanCurvatureGradientMinimum:
       return std::make_unique<shape_energy::MeanCurvatureGradient>();
+    case EnergyKind::MinimumVariation:
+      return std::make_unique<shape_energy::MinimumVariation>(kUmbilic / diagonal);
+    case EnergyKind::TotalCurvature:
+      return std::make_unique<shape_energy::TotalCurvature>();
     case EnergyKind::Membrane:
     case EnergyKind::ThinPlate:
       break;
@@ -53,94 +71,131 @@ std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind) {
   return nullptr;
 }
 
-int mostSteps(LayoutKind kind) {
+int quickSteps(LayoutKind kind) {
   if (kind == LayoutKind::Strip) return kStepsOfStrips;
   return kind == LayoutKind::Junction ? kStepsOfJunctions : kSteps;
 }
 
-struct Model {
-  MatrixXd hessian;  // 3n x 3n
-  VectorXd gradient;
-};
-
-Model modelOf(const layout::PatchLayout& layout,
-              const Patches& patches,
-              const shape_energy::ShapeEnergy& energy,
-              double size) {
-  const Index n = 3 * layout.pointCount;
-  Model model{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
-  const double pinning = kPinning / (size * size * size * size);
-  for (const assembly::ShapeElement& e :
-       assembly::assembleShapeEnergy(layout, patches, energy, 0, pinning)) {
-    for (std::size_t b = 0; b < e.points.size(); ++b) {
-      const auto column = static_cast<Index>(3 * b), to = static_cast<Index>(3 * e.points[b]);
-      model.gradient.segment<3>(to) += size * size * e.gradient.segment<3>(column);
-      for (std::size_t a = 0; a < e.points.size(); ++a)
-        model.hessian.block<3, 3>(3 * e.points[a], to) +=
-            size * size * e.hessian.block<3, 3>(static_cast<Index>(3 * a), column);
-    }
-  }
-  return model;
+int highestDegree(const layout::PatchLayout& layout) {
+  int highest = 0;
+  for (const spline::KnotVector& knots : layout.stripKnots)
+    highest = std::max(highest, knots.degree());
+  return highest;
 }
 
-// The model in the free directions.
-Model projected(const Model& model, const solver::Sparse& freedom) {
-  const MatrixXd reached = model.hessian * freedom;
-  return {freedom.transpose() * reached, freedom.transpose() * model.gradient};
+Effort effortOf(EnergyKind energy, const layout::PatchLayout& layout) {
+  if (energy == EnergyKind::MeanCurvatureGradient)
+    return {1e-3, 14, quickSteps(layout.kind), 1e-3, 0.0, 1, {kPinning, 0.0}, 0};
+  const double anchor =
+      energy == EnergyKind::TotalCurvature ? kAnchorOfSecondOrder : kAnchorOfThirdOrder;
+  return {1e-5,
+          24,
+          kMostStepsToTheEnd,
+          1e-3,
+          2e-6,
+          2,
+          {0.0, anchor},
+          highestDegree(layout) + kMorePoints};
 }
 
-class Descent {
- public:
-  Descent(const layout::PatchLayout& layout,
-          const shape_energy::ShapeEnergy& energy,
-          const solver::QuadraticProgram& program,
-          double size)
-      : layout_(layout), energy_(energy), freedom_(solver::freedomOf(program)), size_(size) {}
-
-  [[nodiscard]] double energyAt(const solver::Points& points) const {
-    return assembly::shapeEnergyOf(makePatches(layout_, points), energy_);
-  }
-  // Takes a step; false where none lets the energy fall.
-  bool step(solver::Points& points, double& value) {
-    const Model model =
-        projected(modelOf(layout_, makePatches(layout_, points), energy_, size_), freedom_);
-    for (int trial = 0; trial < kTrials; ++trial) {
-      MatrixXd matrix = model.hessian;
-      if (damping_ > 0.0) matrix += damping_ / (size_ * size_) * displacement();
-      const Eigen::LLT<MatrixXd> factors(matrix);
-      if (factors.info() == Eigen::Success) {
-        const VectorXd moved = freedom_ * factors.solve(-model.gradient);
-        const solver::Points next =
-            points + Eigen::Map<const solver::Points>(moved.data(), points.rows(), 3);
-        const double reached = energyAt(next);
-        if (reached < value) {
-          points = next;
-          value = reached;
-          damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
-          return true;
+// The place where the patches come nearest to having no normal.
+Eigen::Vector3d mostSingularPlace(const Patches& patches) {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  double least = std::numeric_limits<double>::infinity();
+  for (const spline::BsplineSurface& patch : patches)
+    for (const double u : patch.u.grevilleAbscissae())
+      for (const double v : patch.v.grevilleAbscissae()) {
+        const spline::SurfaceJet jet = patch.jet(u, v);
+        const double area = jet.u.cross(jet.v).norm();
+        if (area < least) {
+          least = area;
+          place = jet.point;
         }
       }
-      damping_ = damping_ == 0.0 ? kFirstDamping : kDampingFactor * damping_;
+  return place;
+}
+
+// The same layout with every span halved.
+layout::PatchLayout halved(const layout::LayoutPlan& plan, const layout::PatchLayout& layout) {
+  const auto middles = [](const spline::KnotVector& knots) {
+    const std::vector<double> breaks = knots.breaks();
+    std::vector<double> result;
+    for (std::size_t k = 1; k < breaks.size(); ++k)
+      result.push_back(0.5 * (breaks[k - 1] + breaks[k]));
+    return result;
+  };
+  std::vector<layout::KnotWish> wishes;
+  for (const layout::LayoutPatch& patch : layout.patches)
+    wishes.push_back({middles(patch.u), middles(patch.v)});
+  return layout::refineLayout(plan, layout, wishes);
+}
+
+// One plan's shape, made fairer step by step.
+class Improvement {
+ public:
+  Improvement(const layout::LayoutPlan& plan,
+              const FillOptions& options,
+              const shape_energy::ShapeEnergy& energy,
+              double size,
+              Progress* progress)
+      : plan_(plan), options_(options), energy_(energy), size_(size), progress_(progress) {}
+
+  // The quadratic solution, or what is nearest to a shape and meets all that is asked.
+  [[nodiscard]] Result<solver::Points> solveFor(const layout::PatchLayout& layout,
+                                                const Aim& aim,
+                                                bool iterated) {
+    auto program = iterated
+                       ? makeProgram(plan_, layout, EnergyKind::ThinPlate, aim, options_.through)
+                       : makeProgram(plan_, layout, EnergyKind::ThinPlate, aim);
+    if (!program) return fail(program.error());
+    auto solution = solver::solve(*program);
+    if (!solution) return fail(solution.error());
+    program_ = std::move(*program);
+    return std::move(solution->points);
+  }
+
+  // Steps from the points of the last solveFor() until one is not worth it.
+  [[nodiscard]] Result<solver::Points> descend(FairShape& shape,
+                                               solver::Points points,
+                                               const Effort& effort,
+                                               int level) {
+    const solver::Points start = points;
+    const ShapeHold hold{effort.hold.step, effort.hold.anchor * std::pow(kRelease, level)};
+    std::optional<ShapeDescent> descent;  // lasts as long as its program
+    shape.energy =
+        assembly::shapeEnergyOf(makePatches(shape.layout, points), energy_, effort.quadrature);
+    shape.history.end = solver::ShapeEnd::Limit;
+    for (int k = 0; k < effort.steps; ++k) {
+      if (progress_ && progress_->isAbortRequested()) return fail({ErrorCode::Cancelled});
+      if (isIterated(plan_.cut.loop, options_)) {
+        auto moved = solveFor(shape.layout, {points, points, {}}, true);
+        if (!moved) return moved;
+        points = std::move(*moved);
+        descent.reset();
+      }
+      if (!descent)
+        descent.emplace(shape.layout, energy_, program_, start, size_, hold, effort.quadrature);
+      const double before = descent->energyAt(points) + descent->anchorAt(points);
+      const bool fell = descent->step(points);
+      shape.energy = descent->energyAt(points);
+      const double anchor = descent->anchorAt(points);
+      if (fell) shape.history.steps.push_back({level, shape.energy, anchor, descent->lastLength()});
+      if (!fell || before - (shape.energy + anchor) < effort.worthAStep * before ||
+          descent->lastLength() < effort.settled * size_) {
+        shape.history.end = solver::ShapeEnd::Converged;
+        break;
+      }
     }
-    return false;
+    return points;
   }
 
  private:
-  // The integral of |d|^2 in the free directions, made where a step is rejected.
-  const solver::Sparse& displacement() {
-    if (displacement_) return *displacement_;
-    const solver::Sparse mass =
-        solver::threefold(assembly::assembleEnergy(layout_, {{1.0, {0, 0}, {0, 0}}}));
-    displacement_ = freedom_.transpose() * solver::Sparse(mass * freedom_);
-    return *displacement_;
-  }
-
-  const layout::PatchLayout& layout_;
+  const layout::LayoutPlan& plan_;
+  const FillOptions& options_;
   const shape_energy::ShapeEnergy& energy_;
-  solver::Sparse freedom_;
-  std::optional<solver::Sparse> displacement_;
   double size_;
-  double damping_ = 0.0;
+  Progress* progress_;
+  solver::QuadraticProgram program_;
 };
 
 }  // namespace
@@ -150,40 +205,39 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
                                            const FillOptions& options,
                                            double diagonal,
                                            Progress* progress) {
-  const auto energy = shapeEnergy(options.energy);
+  const auto energy = shapeEnergy(options.energy, diagonal);
   if (!energy) return std::nullopt;
+  const Effort effort = effortOf(options.energy, layout);
   const bool needsMore = layout.patches.size() > 1 || options.guidance.acts();
   const double density = needsMore ? kHighDensity : kDensity;
-  FairShape shape{
-      layout::coarseLayout(plan, layout, {density, kFitShare * diagonal, kMostPolesAlong}), {}};
-  auto program = makeProgram(plan, shape.layout, EnergyKind::ThinPlate);
-  if (!program) return fail(program.error());
-  auto current = solver::solve(*program);
-  if (!current) return fail(current.error());
-  shape.energyBefore = shape.energy =
-      assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
-  std::optional<Descent> descent;  // lasts as long as its program
-  while (shape.steps < mostSteps(layout.kind)) {
-    if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
-    if (isIterated(plan.cut.loop, options)) {  // the nearest points that meet all that is asked
-      program = makeProgram(plan,
-                            shape.layout,
-                            EnergyKind::ThinPlate,
-                            {current->points, current->points, {}},
-                            options.through);
-      if (!program) return fail(program.error());
-      current = solver::solve(*program);
-      if (!current) return fail(current.error());
-      shape.energy = assembly::shapeEnergyOf(makePatches(shape.layout, current->points), *energy);
-      descent.reset();
-    }
-    if (!descent) descent.emplace(shape.layout, *energy, *program, diagonal);
-    const double before = shape.energy;
-    if (!descent->step(current->points, shape.energy)) break;
-    ++shape.steps;
-    if (before - shape.energy < kWorthAStep * before) break;
+  FairShape shape;
+  shape.layout = layout::coarseLayout(
+      plan, layout, {density, effort.fitShare * diagonal, effort.mostPolesAlong});
+  Improvement improvement(plan, options, *energy, diagonal, progress);
+  auto points = improvement.solveFor(shape.layout, {}, false);
+  if (!points) return fail(points.error());
+  shape.patches = makePatches(shape.layout, *points);
+  shape.history.start = assembly::shapeEnergyOf(shape.patches, *energy, effort.quadrature);
+  if (!std::isfinite(shape.history.start)) {  // what is quadratic is defined everywhere
+    shape.history.end = solver::ShapeEnd::Undefined;
+    shape.history.where = mostSingularPlace(shape.patches);
+    return shape;
   }
-  shape.patches = makePatches(shape.layout, current->points);
+  points = improvement.descend(shape, std::move(*points), effort, 0);
+  for (int level = 1; points && level < effort.levels; ++level) {
+    layout::PatchLayout finer = halved(plan, shape.layout);
+    if (finer.pointCount > kMostPoints) break;
+    Aim aim;
+    aim.shape = pointsOn(finer, makePatches(shape.layout, *points));
+    points = improvement.solveFor(finer, aim, false);
+    if (!points) break;
+    shape.layout = std::move(finer);
+    points = improvement.descend(shape, std::move(*points), effort, level);
+  }
+  if (!points) return fail(points.error());
+  if (options.energy == EnergyKind::MeanCurvatureGradient)
+    shape.history.end = solver::ShapeEnd::Quick;
+  shape.patches = makePatches(shape.layout, *points);
   return shape;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/base/progress.h"
+#include "core/solver/solve_summary.h"
 #include "core/span/span_hole.h"
 
 namespace fairing {
@@ -11,15 +12,16 @@ namespace fairing {
 struct FairShape {
   layout::PatchLayout layout;
   Patches patches;
-  double energyBefore = 0.0;  ///< of the quadratic start, 1/mm^2
-  double energy = 0.0;        ///< reached, 1/mm^2
-  int steps = 0;              ///< Gauss-Newton steps accepted
+  double energy = 0.0;  ///< reached, in its own unit
+  solver::ShapeHistory history;
 };
 
-/// Minimises the energy of the shape that the options ask for by Gauss-Newton steps from the
-/// minimiser of the thin plate; nothing where the energy is quadratic. Constraints hold exactly all
-/// along; a step is taken only if the true energy falls. docs/algorithms/shape_energies.md
-/// Fails with Cancelled and the codes of makeProgram() and solve().
+/// Lowers the energy of the shape that the options ask for by Gauss-Newton steps from the minimiser
+/// of the thin plate; nothing where the energy is quadratic. MeanCurvatureGradient takes a few
+/// steps; the others go to the minimum, on these knots and then on twice as many. Constraints hold
+/// exactly all along; a step is taken only if the true energy falls. Where the thin plate has no
+/// normal somewhere, the shape is the thin plate. docs/algorithms/shape_energies.md Fails with
+/// Cancelled and the codes of makeProgram() and solve().
 [[nodiscard]] Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
                                                          const layout::PatchLayout& layout,
                                                          const FillOptions& options,

@@ -32,6 +32,17 @@ std::vector<double> startsOf(const layout::LayoutPlan& plan, const boundary::Bou
   return starts;
 }
 
+void addHistory(const FairShape& shape, FillResult& result) {
+  const solver::ShapeHistory& history = shape.history;
+  result.summary.shape = history;
+  if (history.end == solver::ShapeEnd::Limit)
+    result.report.notes.push_back({.code = analysis::NoteCode::ShapeLimit,
+                                   .value = static_cast<double>(history.steps.size())});
+  if (history.end == solver::ShapeEnd::Undefined)
+    result.report.notes.push_back(
+        {.code = analysis::NoteCode::ShapeUndefined, .where = history.where});
+}
+
 }  // namespace
 
 Result<Span> makeSpan(const boundary::BoundaryLoop& loop,
@@ -55,6 +66,7 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
   const double layoutTime = watch.lap();
   const auto shape = fairShape(span.plan, layout, options, diagonal, progress);
   if (!shape) return fail(shape.error());
+  const double shapeTime = watch.lap();
   if (*shape) layout = layout::withKnotsOf(span.plan, layout, (*shape)->layout);
 
   std::optional<FillResult> best;
@@ -81,6 +93,8 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
   const auto guided = analysis::addGuidance(best->report, options.guidance, best->patches);
   if (!guided) return fail(guided.error());
   best->summary.layoutTime = layoutTime;
+  best->summary.shapeTime = shapeTime;
+  if (*shape) addHistory(**shape, *best);
   best->summary.totalTime = watch.total();
   return std::move(*best);
 }

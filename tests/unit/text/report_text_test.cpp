@@ -186,7 +186,9 @@ TEST(Notes, AreOneSentenceEachOfTheirOwn) {
                               NoteCode::CutsFace,
                               NoteCode::BasesOverlap,
                               NoteCode::SetbackOffFace,
-                              NoteCode::SetbackExtended}) {
+                              NoteCode::SetbackExtended,
+                              NoteCode::ShapeLimit,
+                              NoteCode::ShapeUndefined}) {
     const std::string text = sentence(analysis::Note{code, 17, {1.5, -2.0, 0.0}, 3.0});
     EXPECT_THAT(text, ::testing::EndsWith("."));
     EXPECT_TRUE(all.insert(text).second) << text;
@@ -204,6 +206,22 @@ TEST(ReportJson, HoldsSeamsInnerConstraintsAndNotes) {
   EXPECT_DOUBLE_EQ(json.at("inner")[0].at("gap").at("max").get<double>(), 2e-6);
   EXPECT_EQ(json.at("notes")[0].at("edge"), 9);
   EXPECT_DOUBLE_EQ(json.at("limits").at("curvature").get<double>(), 0.01);
+}
+
+TEST(ReportJson, TellsTheWayToTheShape) {
+  FillResult fill;
+  solver::ShapeHistory& shape = fill.summary.shape;
+  shape.start = 8.0;
+  shape.steps = {{0, 2.0, 0.5, 0.1}, {1, 1.0, 0.25, 0.01}};
+  shape.end = solver::ShapeEnd::Limit;
+  const auto json = nlohmann::json::parse(toJson(fill).dump()).at("solve").at("shape");
+  EXPECT_EQ(json.at("end"), "limit");
+  EXPECT_DOUBLE_EQ(json.at("start").get<double>(), 8.0);
+  ASSERT_EQ(json.at("steps").size(), 2u);
+  EXPECT_EQ(json.at("steps")[1].at("level"), 1);
+  EXPECT_DOUBLE_EQ(json.at("steps")[1].at("energy").get<double>(), 1.0);
+  EXPECT_DOUBLE_EQ(json.at("steps")[1].at("anchor").get<double>(), 0.25);
+  EXPECT_DOUBLE_EQ(json.at("steps")[1].at("length").get<double>(), 0.01);
 }
 
 TEST(ReportJson, KeepsTheNumbersAndTurnsNonsenseToNull) {
@@ -234,8 +252,12 @@ TEST(Quantities, ChooseUnitsPeopleRead) {
 TEST(Words, AreUnderstoodAsTheyAreWritten) {
   for (const Continuity c : {Continuity::G0, Continuity::G1, Continuity::G2})
     EXPECT_EQ(continuityFrom(word(c)), c);
-  for (const EnergyKind e :
-       {EnergyKind::Membrane, EnergyKind::ThinPlate, EnergyKind::MeanCurvatureGradient})
+  for (const EnergyKind e : {EnergyKind::Membrane,
+                             EnergyKind::ThinPlate,
+                             EnergyKind::MeanCurvatureGradient,
+                             EnergyKind::MeanCurvatureGradientMinimum,
+                             EnergyKind::MinimumVariation,
+                             EnergyKind::TotalCurvature})
     EXPECT_EQ(energyFrom(word(e)), e);
   for (const LayoutKind l : {LayoutKind::Auto,
                              LayoutKind::Quad,

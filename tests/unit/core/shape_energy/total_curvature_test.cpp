@@ -72,7 +72,7 @@ TEST(TotalCurvature, MovesWithRigidMotions) {
 }
 
 TEST(TotalCurvature, IsTheSameAtEverySize) {
-  expectScaling(kEnergy, 0);
+  expectScaling(kEnergy);
 }
 
 TEST(TotalCurvature, DoesNotDependOnTheParameters) {

@@ -31,8 +31,32 @@ TEST(FairShape, LowersTheEnergyOfTheShape) {
        {sphereOctant(10.0), polygonOn(waves(), 5), circleOn(waves(), 0.8), polygonOn(waves(), 4)}) {
     const auto shape = shapeOf(sides, EnergyKind::MeanCurvatureGradient);
     ASSERT_TRUE(shape.has_value());
-    EXPECT_GE(shape->steps, 1);
-    EXPECT_LT(shape->energy, shape->energyBefore);
+    EXPECT_FALSE(shape->history.steps.empty());
+    EXPECT_LT(shape->energy, shape->history.start);
+  }
+}
+
+TEST(FairShape, GoesToTheMinimumWhereAsked) {
+  const Sides sides = polygonOn(waves(), 4);
+  const auto quick = shapeOf(sides, EnergyKind::MeanCurvatureGradient);
+  const auto best = shapeOf(sides, EnergyKind::MeanCurvatureGradientMinimum);
+  ASSERT_TRUE(quick && best);
+  EXPECT_EQ(quick->history.end, solver::ShapeEnd::Quick);
+  EXPECT_EQ(best->history.end, solver::ShapeEnd::Converged);
+  EXPECT_GT(best->history.steps.back().level, 0);
+  EXPECT_GT(best->history.steps.size(), quick->history.steps.size());
+}
+
+TEST(FairShape, FallsFromStepToStepOnALevel) {
+  for (const EnergyKind energy : {EnergyKind::MinimumVariation, EnergyKind::TotalCurvature}) {
+    const auto shape = shapeOf(polygonOn(waves(), 5), energy);
+    ASSERT_TRUE(shape.has_value());
+    const auto& steps = shape->history.steps;
+    for (std::size_t k = 1; k < steps.size(); ++k)
+      if (steps[k].level == steps[k - 1].level) {
+        EXPECT_LT(steps[k].energy + steps[k].anchor, steps[k - 1].energy + steps[k - 1].anchor);
+      }
+    EXPECT_EQ(shape->energy, steps.back().energy);
   }
 }
 

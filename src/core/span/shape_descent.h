@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <optional>
+
+#include "core/layout/patch_layout.h"
+#include "core/shape_energy/shape_energy.h"
+#include "core/solver/quadratic_program.h"
+
+namespace fairing {
+
+/// How the parametrisation, which an energy of the shape does not see, is kept from drifting.
+/// Without unit.
+struct ShapeHold {
+  double step = 0.0;    ///< weight of each step's displacements along the surface
+  double anchor = 0.0;  ///< weight of the displacements along the surface since the start
+};
+
+/// Damped Gauss-Newton steps on an energy of the shape. Every step keeps the constraints of a
+/// program exactly, lets the energy and what the anchor adds to it fall, and folds no patch.
+class ShapeDescent {
+ public:
+  /// `start`: points that the anchor holds; `size`: the hole's, mm; `quadrature`: points a span and
+  /// direction, 0 = the degree. The layout and the energy have
+  /// to outlive it.
+  ShapeDescent(const layout::PatchLayout& layout,
+               const shape_energy::ShapeEnergy& energy,
+               const solver::QuadraticProgram& program,
+               const solver::Points& start,
+               double size,
+               const ShapeHold& hold,
+               int quadrature);
+
+  /// The energy alone; not finite where a patch has no normal.
+  [[nodiscard]] double energyAt(const solver::Points& points) const;
+  /// What the anchor adds, in the energy's unit.
+  [[nodiscard]] double anchorAt(const solver::Points& points) const;
+  /// Takes a step from points that meet the constraints; false where none lets the sum fall.
+  [[nodiscard]] bool step(solver::Points& points);
+  /// Root of the mean square of the last step's displacements of points, mm.
+  [[nodiscard]] double lastLength() const { return lastLength_; }
+
+ private:
+  struct Model;
+
+  [[nodiscard]] double sumAt(const solver::Points& points) const;
+  [[nodiscard]] Model modelAt(const solver::Points& points) const;
+  [[nodiscard]] const solver::Sparse& displacement();
+
+  const layout::PatchLayout& layout_;
+  const shape_energy::ShapeEnergy& energy_;
+  solver::Sparse freedom_;
+  std::optional<solver::Sparse> displacement_;
+  double size_, scale_;
+  int quadrature_;
+  double pinning_;
+  solver::Points start_;
+  solver::Sparse anchor_;  // 3n x 3n, or empty
+  double damping_ = 0.0;
+  double lastLength_ = 0.0;
+};
+
+}  // namespace fairing
