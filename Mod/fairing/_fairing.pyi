@@ -6,7 +6,7 @@ from typing import Any, Collection, Mapping, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
-Guide = Union[Sequence[Mapping[str, Any]], Mapping[str, Any]]  # handles; or handles and a field
+Guide = Union[Sequence[Mapping[str, Any]], Mapping[str, Any]]  # handles; or handles, curves and a field
 
 __version__: str
 occt_version: str
@@ -17,6 +17,11 @@ class FairingError(ValueError):
     face: int
     value: float
     where: Optional[tuple[float, float, float]]
+
+def mesh_faces(points: NDArray[np.float64], triangles: NDArray[np.int32]) -> bytes: ...
+def guide_curve(
+    edges: bytes, faces: Optional[bytes] = None, normal: Optional[Sequence[float]] = None
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
 class Progress:
     def __init__(self) -> None: ...
@@ -31,6 +36,11 @@ class Fill:
     def mesh(
         self, divisions: int = 32
     ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int32]]: ...
+    def guiding(self, lambda_: float, gamma: float, guide: Optional[Guide] = None) -> Fill: ...
+    def guide_arrows(
+        self, count: int = 12
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+    def control_net(self) -> list[tuple[int, int, NDArray[np.float64]]]: ...
     @property
     def composition(self) -> str: ...
     @property
@@ -50,6 +60,11 @@ class Blend(Fill):
         from_reach_end: Optional[float] = None,
         to_reach_end: Optional[float] = None,
     ) -> Blend: ...
+    def guiding(self, lambda_: float, gamma: float, guide: Optional[Guide] = None) -> Blend: ...
+    def guide_arrows(
+        self, count: int = 12
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+    def control_net(self) -> list[tuple[int, int, NDArray[np.float64]]]: ...
     @property
     def arms(self) -> list[tuple[tuple[float, float, float], tuple[float, float, float]]]: ...
 
@@ -58,6 +73,11 @@ class Edit:
     def mesh(
         self, divisions: int = 32
     ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int32]]: ...
+    def guiding(self, lambda_: float, gamma: float, guide: Optional[Guide] = None) -> Edit: ...
+    def guide_arrows(
+        self, count: int = 12
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+    def control_net(self) -> list[tuple[int, int, NDArray[np.float64]]]: ...
     @property
     def report(self) -> dict[str, Any]: ...
     @property
@@ -176,6 +196,10 @@ class Shape:
         ring: bool = False,
         cuts: Sequence[int] = [],
         energy: str = "mean-curvature-gradient",
+        lambda_: float = 0.0,
+        gamma: float = 0.0,
+        reference: Optional[bytes] = None,
+        guide: Guide = [],
         tolerance: Optional[float] = None,
         angle: float = 0.02,
         degree: int = 0,

@@ -64,7 +64,7 @@ def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
 def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: Iterable[subelements.Pick], *,
           continuity: str = "G1", edge_continuity: Optional[Mapping[Any, str]] = None, pairs: Iterable[Any] = (),
           ends: Iterable[subelements.Pick] = (), end_faces: Iterable[subelements.Pick] = (), ring: bool = False,
-          cuts: Iterable[subelements.Pick] = (),
+          cuts: Iterable[subelements.Pick] = (), reference: Optional[Part.Shape] = None, guide: Any = (),
           **options) -> tuple[Part.Shape, dict]:
     """Joins chains of free edges of a shape: two by one strip, three and more by a junction. Returns the new faces and
     the report on them.
@@ -79,16 +79,20 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
     ring             whether the chains of to_edges are open ones that come to a vertex with that of from_edges, with
                      gaps between them; three and more closed chains make a junction anyway
     cuts             edges from rim to rim whose ends are those of the cuts of a junction
+    reference        faces that guide, and
+    guide            normals to follow: see fill()
     options          of either side, with from_ or to_ in front: reach (above 0: how far the strip goes on before it
                      turns away, 1 = what the energy likes best), reach_end (where it differs at the end of an open
                      side), departure ("free", "perpendicular" or "iso"), flip, setback (mm), curve (edges that make a
                      curve on its faces: set back to there); match ("auto", "length" or "corners"), alignment (-0.5 to
-                     0.5), energy, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles, result ("patches",
-                     "shell" or "base"): see blend_request.BlendRequest
+                     0.5), energy, lambda_, gamma, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles,
+                     result ("patches", "shell" or "base"): see blend_request.BlendRequest
     Raises FairingError with one sentence where that cannot be done.
     """
     request = BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, ends=ends, end_faces=end_faces, ring=ring,
-                              cuts=cuts, continuity=continuity, **options)
+                              cuts=cuts, continuity=continuity,
+                              reference=exchange.data_of(reference) if reference else None, guide=guide_text(guide),
+                              **options)
     done = request.solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
 

@@ -14,13 +14,17 @@ def public(names):
     return {name for name in names if not name.startswith("_")}
 
 
+def functions():
+    return [node for node in STUBS.body if isinstance(node, ast.FunctionDef)]
+
+
 def classes():
     return [node for node in STUBS.body if isinstance(node, ast.ClassDef)]
 
 
 def parameters_of(function):
     """Names and default texts of a stub's parameters, without self."""
-    arguments = function.args.args[1:]
+    arguments = [argument for argument in function.args.args if argument.arg != "self"]
     defaults = [None] * (len(arguments) - len(function.args.defaults)) + function.args.defaults
     return {argument.arg: ast.unparse(default) if default else None
             for argument, default in zip(arguments, defaults)}
@@ -38,7 +42,7 @@ def parameters_in(docstring):
 
 
 def test_same_names_in_the_module():
-    stubbed = {node.name for node in classes()} | {
+    stubbed = {node.name for node in classes() + functions()} | {
         node.target.id for node in STUBS.body if isinstance(node, ast.AnnAssign)}
     assert public(stubbed) == public(vars(_fairing))
 
@@ -52,6 +56,8 @@ def test_same_members_in_every_class():
 
 
 def test_same_parameters_and_defaults():
+    for node in functions():
+        assert parameters_of(node) == parameters_in(getattr(_fairing, node.name).__doc__), node.name
     checked = 0
     for node in classes():
         for item in node.body:
@@ -63,7 +69,7 @@ def test_same_parameters_and_defaults():
 
 
 def test_everything_has_a_docstring():
-    for node in classes():
+    for node in classes() + functions():
         assert getattr(_fairing, node.name).__doc__, node.name
 
 
