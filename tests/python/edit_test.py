@@ -109,7 +109,7 @@ def test_the_base_takes_the_new_face(face):
 
 @pytest.mark.parametrize("guide, code, why", [
     ([{"point": (20, 20, 0), "normal": (0, 0, 0), "radius": 5}], "GuideInvalid", "its normal is zero"),
-    ([{"point": (20, 20, 90), "normal": (0, 0, 1), "radius": 5}], "HandleOff", "Handle 1"),
+    ([{"point": (120, 20, 0), "normal": (0, 0, 1), "radius": 5}], "HandleOff", "Handle 1"),
     ({"field": {"n": 2, "m": 2, "normals": [[0, 0, 1]]}}, "GuideInvalid", "its field needs 9 normals and has 1"),
     ({"handles": []}, "GuideInvalid", 'no list called "normals"'),
 ])
