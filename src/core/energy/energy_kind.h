@@ -18,9 +18,4 @@ enum class EnergyKind {
   TotalCurvature,
 };
 
-/// Whether an energy is one of the shape itself, whatever its parameters.
-[[nodiscard]] constexpr bool isOfShape(EnergyKind kind) {
-  return kind != EnergyKind::Membrane && kind != EnergyKind::ThinPlate;
-}
-
 }  // namespace fairing

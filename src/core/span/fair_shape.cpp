@@ -40,9 +40,9 @@ constexpr int kStepsOfStrips = 8, kStepsOfJunctions = 16;
 // As an integral; 1e4 lets the parametrisation drift: one round more on stars, and waves farther
 // off.
 constexpr double kPinning = 1e5;
-// Minima that only a fixed parametrisation has: more of it costs shape (an octant of a sphere ends
-// at 1e-8 of its energy with 1e4, at 1e-6 with 1e5), less of it steps. Second order: less of it
-// lets the first row of control points slide onto the border, where a crease costs nothing.
+// Only an anchored parametrisation has a minimum. More of it costs shape (a patch of a torus keeps
+// 1e-7 of the plate's energy with 1e4, 3e-6 with 1e5), less of it costs steps. Second order: with
+// less, the first row of control points slides onto the border, where a crease costs nothing.
 constexpr double kAnchorOfThirdOrder = 1e4, kAnchorOfSecondOrder = 1e6;
 // From one level to the next, which starts closer to its end.
 constexpr double kRelease = 0.1;
