@@ -2,6 +2,8 @@
 #include "core/analysis/measure_fill.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
 
 #include "core/analysis/curvature.h"
 #include "core/base/assert.h"
@@ -10,11 +12,20 @@
 namespace fairing::analysis {
 namespace {
 
+// Stretches of a side meet up to rounding: a place between two of them is on the nearer one.
+constexpr double kBetween = 1e-9;
+
 const SideTrace& traceOf(const std::vector<SideTrace>& traces, std::size_t side, double t) {
-  for (const SideTrace& trace : traces)
-    if (trace.side == static_cast<int>(side) && t >= trace.from && t <= trace.to) return trace;
-  FAIRING_ASSERT(false && "every stretch of a side runs on a patch");
-  return traces.front();
+  const SideTrace* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SideTrace& trace : traces) {
+    const double beyond = std::max({trace.from - t, t - trace.to, 0.0});
+    if (trace.side != static_cast<int>(side) || beyond >= least) continue;
+    nearest = &trace;
+    least = beyond;
+  }
+  FAIRING_ASSERT(least < kBetween && "every stretch of a side runs on a patch");
+  return *nearest;
 }
 
 // Left of a trace in the patch's parameters is left of the side seen against u x v.

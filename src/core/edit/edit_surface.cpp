@@ -201,7 +201,7 @@ analysis::OnFace onFace(const BsplineSurface& scaled,
 }  // namespace
 
 std::optional<Error> validate(const EditOptions& options) {
-  if (isOfShape(options.energy))
+  if (options.energy != EnergyKind::Membrane && options.energy != EnergyKind::ThinPlate)
     return Error{.code = ErrorCode::UnknownChoice,
                  .detail = "an energy of the shape itself for an edit"};
   if (options.degree != 0 && (options.degree < kLeastDegree || options.degree > kLargestDegree))
