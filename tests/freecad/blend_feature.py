@@ -300,6 +300,31 @@ def starts_at_an_edge_of_what_it_joins():
     assert blend.ReportEdges == [low, high], blend.ReportEdges
 
 
+def a_handle_and_a_reference_guide_it():
+    document, base, (first, second) = two_planes()
+    free = fairing.make_blend((base, [first]), (base, [second]))
+    middle, wish = App.Vector(10, 15, 4), App.Vector(0.4, -1, 1)
+
+    def lean(blend):
+        face = blend.Shape.Faces[0]
+        angle = math.degrees(face.Surface.normal(*face.Surface.parameter(middle)).getAngle(wish))
+        return min(angle, 180.0 - angle)
+
+    handle = {"point": tuple(middle), "normal": tuple(wish), "radius": 8}
+    blend = fairing.make_blend((base, [first]), (base, [second]), guides=[handle], lambda_=1e3)
+    assert lean(blend) < 0.8 * lean(free), (lean(blend), lean(free))
+    joins(blend, (base, [first, second]))
+    assert blend.Guides[0].FairingType == "NormalHandle" and blend.GuideRmsAngle.Value > 0.0
+    lightly = lean(blend)
+    blend.Guides[0].Weight = 0.1
+    document.recompute()
+    assert lightly < lean(blend) < lean(free)
+    raised = object_of(document, "Raised", free.Shape.translated(App.Vector(0, 0, 2)))
+    fairing.change_blend(blend, guides=[], reference=raised, lambda_=0.0, gamma=1e4)
+    assert blend.Guides == [] and blend.Reference[0][0] is raised and blend.Gamma == 1e4
+    assert 0.2 < blend.Shape.CenterOfMass.z - free.Shape.CenterOfMass.z < 2.0
+
+
 def survives_save_and_reopen():
     document, low, high = two_cups()
     blend = fairing.make_blend(low, high, degree=6, from_continuity={low[1][0]: "G2"})

@@ -89,9 +89,7 @@ def the_base_takes_the_new_face_in_place_of_the_old_one():
     assert edit.Shape.ShapeType == "Shell" and len(edit.Shape.Faces) == 1
     base.Height = 2 * SIDE
     document.recompute()
-    assert not edit.isValid() and "guides nothing" in edit.Verdict  # the handle stayed where it was
-    edit.Guides[0].Position = App.Vector(20, 20, 2 * SIDE)
-    document.recompute()
+    # the handle stayed where it was, its foot is the nearest point
     assert edit.isValid() and abs(edit.Shape.BoundBox.Center.z - 2 * SIDE) < SIDE / 4
 
 

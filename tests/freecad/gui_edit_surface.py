@@ -52,7 +52,7 @@ assert foot.distanceToPoint(centre) < 1.0
 gui.drag(view, tip, foot + App.Vector(0.5, 0, 0.866) * (tip - foot).Length)
 gui.settle()
 assert abs(gui.widget("xSpin").value() - 0.5) < 0.1
-gui.picture("25_edited_face")
+gui.picture("27_edited_face")
 gui.press("Ok")
 gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 edit = document.Edit
@@ -60,7 +60,7 @@ assert document.UndoNames == ["Edit surface"], document.UndoNames
 assert edit.Shape.ShapeType == "Solid" and edit.Shape.isValid() and edit.LargestMove.Value > 0.1
 assert not box.ViewObject.Visibility and box.ViewObject.Transparency == 0
 assert edit.ViewObject.Proxy.claimChildren() == [box, edit.Guides[0]]
-gui.picture("26_edited_solid")
+gui.picture("28_edited_solid")
 
 document.undo()
 assert document.Objects == [box]

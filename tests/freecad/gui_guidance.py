@@ -65,20 +65,36 @@ assert foot.distanceToPoint(middle) < 1.0
 gui.picture("20_handle")
 
 # Dragged by its tip the surface follows at once; the weight makes the angles fall.
-still = camera()
+still, before, seen = camera(), drawn_points(), []
 gui.drag(view, tip, foot + App.Vector(0.45, 0, 0.893) * (tip - foot).Length,
-         at_half=lambda: gui.picture("21_handle_dragged"))
+         at_half=lambda: (seen.append(drawn_points()), gui.picture("21_handle_dragged")))
 assert camera() == still and not Gui.Selection.hasSelection()
-assert gui.widget("xSpin").value() > 0.3
+assert seen[0] != before and gui.widget("xSpin").value() > 0.3
 gui.wait_for_verdict("Meets all 4 edges")
 start = angles()
 gui.widget("lambdaSpin").setValue(1000.0)  # the middle of the slider, where its handle is taken
 gui.wait_for_verdict("Meets all 4 edges")
+gui.settle()  # the panel has its height again
 gui.drag_slider("lambdaSlider", 0.1)
 gui.wait_for_verdict("Meets all 4 edges")
 assert gui.widget("lambdaSpin").value() > 1000.0
 assert angles()[0] < start[0], (start, angles())
 gui.picture("22_heavier")
+
+# What guides can be seen, and the control points; both follow while a slider moves.
+drawing = panels[-1]._display._preview.guidance
+assert drawing._field._lines.numVertices.getNum() == 0 and drawing._net._dots.numPoints.getValue() == 0
+gui.widget("fieldCheck").click()
+gui.widget("netCheck").click()
+assert drawing._field._lines.numVertices.getNum() > 10 and drawing._net._dots.numPoints.getValue() == sum(
+    rows * columns for rows, columns, _ in panels[-1]._result.control_net())
+net = drawing._net._points.point.getValues()
+gui.widget("lambdaSlider").setValue(gui.widget("lambdaSlider").value() - 40)
+assert drawing._net._points.point.getValues() != net and drawing._field._lines.numVertices.getNum() > 10
+gui.picture("23_field_and_net")
+gui.widget("fieldCheck").click()
+gui.widget("netCheck").click()
+gui.wait_for_verdict("Meets all 4 edges")
 
 # Moved by its foot, over the surface.
 foot, _ = handle_arrow()
@@ -109,7 +125,7 @@ handle, = fill.Guides
 assert document.UndoNames == ["Fill hole"] and fill.isValid() and fill.WithinTolerance
 assert handle.Weight == 2.0 and handle.Radius.Value == 25.0 and tuple(handle.Normal) == (0.4, 0.0, 1.0)
 assert fill.ViewObject.Proxy.claimChildren() == [handle]
-gui.picture("23_guided_fill")
+gui.picture("24_guided_fill")
 area = fill.Shape.Area
 document.undo()
 assert document.Objects == [base]
@@ -142,7 +158,7 @@ gui.wait_for_verdict("Meets all 4 edges")
 gui.widget("gammaSpin").setValue(1000.0)
 gui.wait_for_verdict("Meets all 4 edges")
 assert "from the reference" in gui.widget("followLabel").text()
-gui.picture("24_reference")
+gui.picture("25_reference")
 gui.press("Ok")
 gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 assert fill.Guides[0].Direction == (raised, ["Face1"]) and fill.Gamma == 1000.0
@@ -158,4 +174,23 @@ gui.press("Ok")
 gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 assert fill.Guides == [] and len(document.UndoNames) == steps + 1
 assert not document.findObjects("App::FeaturePython")
+
+# A curve: an edge of a sketch's kind, with the normal of a face.
+line = gui.part(document, "Line", support.Part.makeLine(App.Vector(-12, 7, 62), App.Vector(12, 7, 62)))
+document.recompute()
+Gui.ActiveDocument.setEdit("Fill")
+gui.wait_for_verdict("Meets all 4 edges")
+gui.widget("curveButton").click()
+Gui.Selection.addSelection(document.Name, "Line", "Edge1")
+gui.wait_for(lambda: len(rows()) == 2, "the curve to be taken")
+assert "Along Line: Edge1" in rows()[0], rows()
+gui.widget("directionButton").click()
+Gui.Selection.addSelection(document.Name, "Raised", "Face1")
+gui.wait_for(lambda: not gui.widget("directionButton").isChecked(), "the face to be taken")
+gui.wait_for_verdict("Meets all 4 edges")
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+curve, = fill.Guides
+assert curve.Faces == [(raised, ("Face1",))] and len(curve.Points) > 1 and fill.isValid()
+gui.picture("26_curve")
 print("passed")

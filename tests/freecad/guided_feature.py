@@ -4,6 +4,7 @@
 import math
 
 import FreeCAD as App
+import Mesh
 import Part
 
 import fairing
@@ -225,6 +226,50 @@ def a_reference_of_an_older_version_is_kept():
         pulled.touch()
         document.recompute()
         assert pulled.isValid(), pulled.Verdict
+
+
+def a_surface_follows_a_curve():
+    document, base, edges = support.example()
+    free = fairing.make_fill(base, edges[:1], energy="thin-plate")
+    middle = middle_of(free)
+    line = document.addObject("Part::Feature", "Line")
+    line.Shape = Part.makeLine(middle - App.Vector(8, 0, 0), middle + App.Vector(8, 0, 0))
+    fill = fairing.make_fill(base, edges[:1], energy="thin-plate", lambda_=LAMBDA,
+                             guides=[{"curve": line, "normal": (0, 1, 2), "radius": 10}])
+    curve, = fill.Guides
+    assert curve.FairingType == "FeatureCurve" and len(curve.Points) == len(curve.Normals) >= 2
+    assert all(abs(normal.x) < 1e-9 for normal in curve.Normals)  # square to the curve
+    assert lean(fill, middle, (0, 1, 2)) < 0.3 * lean(free, middle, (0, 1, 2))
+    line.Placement = App.Placement(App.Vector(), App.Rotation(App.Vector(0, 0, 1), 10), middle)
+    document.recompute()
+    assert fill.isValid() and max(abs(normal.x) for normal in curve.Normals) > 0.01
+    flat = document.addObject("Part::Feature", "Flat")
+    flat.Shape = Part.makePlane(100, 100, App.Vector(-50, -50, 0))
+    fairing.change_fill(fill, guides=[{"curve": line, "faces": (flat, ["Face1"]), "radius": 10}])
+    assert all(abs(abs(normal.z) - 1) < 1e-9 for normal in fill.Guides[0].Normals)
+    fairing.change_fill(fill, guides=[{"curve": (base, edges[:1]), "radius": 10}])  # the face beside that edge tells
+    wish = base.Shape.ancestorsOfType(base.Shape.getElement(edges[0]), Part.Face)[0]
+    at = fill.Guides[0].Points[len(fill.Guides[0].Points) // 2]
+    theirs = wish.normalAt(*wish.Surface.parameter(at))
+    assert abs(theirs.dot(fill.Guides[0].Normals[len(fill.Guides[0].Points) // 2])) > 0.9999
+    assert "has no edge" in raises(lambda: fairing.change_fill(
+        fill, guides=[{"curve": document.addObject("Part::Vertex", "V"), "radius": 1}]))
+
+
+def a_mesh_is_a_reference():
+    document, base, edges = support.example()
+    free = fairing.make_fill(base, edges[:1])
+    mesh = document.addObject("Mesh::Feature", "Scan")
+    mesh.Mesh = Mesh.Mesh(free.Shape.tessellate(0.05))
+    mesh.Placement = App.Placement(App.Vector(0, 0, 6), App.Rotation())
+    pulled = fairing.make_fill(base, edges[:1], reference=mesh, gamma=1e5)
+    assert pulled.Reference[0][0] is mesh
+    assert 0.5 < pulled.Shape.CenterOfMass.z - free.Shape.CenterOfMass.z < 6.0
+    flipped = mesh.Mesh.copy()
+    points, triangles = flipped.Topology
+    triangles[3] = triangles[3][::-1]
+    mesh.Mesh = Mesh.Mesh((points, triangles))
+    assert "Harmonise its normals" in raises(lambda: fairing.change_fill(pulled, reference=mesh))
 
 
 support.run_all(globals())

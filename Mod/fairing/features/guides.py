@@ -56,8 +56,12 @@ class FeatureCurve:
     def samples(self, container):
         """Points along the curve and the normals there, n x 3 each. Raises FairingError."""
         edges = _picked(self.curve, container, "Edges", "edge")
-        faces = exchange.data_of(_picked(self.faces, container, "Faces", "face")) if self.faces else None
-        return native.module().guide_curve(exchange.data_of(edges), faces, self.normal)
+        if self.faces:
+            faces = _picked(self.faces, container, "Faces", "face")
+        else:
+            faces = None if self.normal else faces_beside(self.curve, container)
+        return native.module().guide_curve(exchange.data_of(edges), exchange.data_of(faces) if faces else None,
+                                           self.normal)
 
 
 Guide = Union[NormalHandle, FeatureCurve]
@@ -101,7 +105,7 @@ def normal_of(link, point: Triple, container) -> Triple:
         return tuple(between.Rotation.multVec(App.Vector(0, 0, 1)))
     if not subelements.is_face(names[0]) and not subelements.is_edge(names[0]):
         raise ValueError(f"{obj.Label}: {names[0]} has no direction: choose a face, an edge or a datum.")
-    part = _element(obj, names[0], container)
+    part = _element(obj, names[0], shape_in(container, obj))
     near = part.distToShape(Part.Vertex(App.Vector(*point)))[1][0][0]
     if subelements.is_face(names[0]):
         return tuple(part.normalAt(*part.Surface.parameter(near)))
@@ -147,20 +151,37 @@ def frozen_links(given) -> Links:
     return tuple((obj, tuple(names)) for obj, names in links.several(given))
 
 
+def faces_beside(curve: Links, container) -> Optional[Part.Shape]:
+    """The faces that have edges of a curve, None where none has."""
+    faces = []
+    for obj, names in curve:
+        shape = shape_in(container, obj)
+        edges = [_element(obj, name, shape) for name in names] if names else shape.Edges
+        faces += [face for face in shape.Faces if any(edge.isSame(own) for edge in edges for own in face.Edges)]
+    return Part.Compound(faces) if faces else None
+
+
+def middle_of(curve: Links, container) -> Triple:
+    """The middle of a curve's first edge."""
+    edge = _picked(curve, container, "Edges", "edge").Edges[0]
+    return tuple(edge.valueAt(0.5 * sum(edge.ParameterRange)))
+
+
 def _picked(picked: Links, container, kind: str, word: str) -> Part.Shape:
     """The elements that links name, or all of a kind of objects as a whole, in one compound."""
     parts = []
     for obj, names in picked:
-        found = [_element(obj, name, container) for name in names] if names else getattr(shape_in(container, obj), kind)
+        shape = shape_in(container, obj)
+        found = [_element(obj, name, shape) for name in names] if names else getattr(shape, kind)
         if not found:
             raise ValueError(f"{obj.Label} has no {word}.")
         parts += found
     return Part.Compound(parts)
 
 
-def _element(obj: App.DocumentObject, name: str, container) -> Part.Shape:
+def _element(obj: App.DocumentObject, name: str, shape: Part.Shape) -> Part.Shape:
     kind = "Faces" if subelements.is_face(name) else "Edges"
-    parts, number = getattr(shape_in(container, obj), kind), int(name[4:])
+    parts, number = getattr(shape, kind), int(name[4:])
     if not 1 <= number <= len(parts):
         raise ValueError(f"There is no {name}: {obj.Label} has {len(parts)} {kind.lower()}.")
     return parts[number - 1]

@@ -115,14 +115,13 @@ class BlendPanel(GuidedPanel, EdgePanel):
             self._refresh()
             return
         self._idle()  # what still runs is of another reach
-        self._result = self._kept = None
+        self._result, self._kept = None, reached[0]
         self._say(*self._show_surface(*reached))
         self._settled.start()
 
-    def _guide(self) -> None:
-        super()._guide()
-        if self._result is None:
-            self._session.keep(None)  # what reaches start from is of another guide
+    def _show_guided(self, blend, mesh) -> None:
+        self._session.keep(blend)  # reaches start from it
+        super()._show_guided(blend, mesh)
 
     def _asked_reaches(self) -> tuple[float, float]:
         return self._session.request.from_reach, self._session.request.to_reach

@@ -62,9 +62,13 @@ class EdgePanel(SolvingPanel):
         report = fill.report
         self._display.show_fill(report, mesh)
         self._show_report(report)
-        notes = "".join(f"\n{note['text']}" for note in report["notes"])
-        self._ui.verdictLabel.setToolTip(fill.composition + notes)
-        return status.of_fill(fill), fill.verdict + notes
+        sign, verdict = self._judge(fill, report)
+        self._ui.verdictLabel.setToolTip(fill.composition + verdict[len(fill.verdict):])
+        return sign, verdict
+
+    def _judge(self, fill, report: dict) -> tuple[status.Status, str]:
+        """How good a native Fill is: its verdict, and its notes."""
+        return status.of_fill(fill), fill.verdict + "".join(f"\n{note['text']}" for note in report["notes"])
 
     def _show_report(self, report: dict) -> None:
         self._table.show_report(report)

@@ -82,9 +82,12 @@ class FacePanel(SolvingPanel):
 
     def _show_result(self, value):
         self._result, mesh = value
-        report = self._result.report
         self._display.show_mesh(mesh)
-        return Status.GOOD, self._result.verdict + "".join(f"\n{note['text']}" for note in report["notes"])
+        return self._judge(self._result, self._result.report)
+
+    def _judge(self, edit, report: dict) -> tuple[Status, str]:
+        """What an edit has moved, and its notes."""
+        return Status.GOOD, edit.verdict + "".join(f"\n{note['text']}" for note in report["notes"])
 
     def _show_nothing(self) -> None:
         self._display.show_unsolved()

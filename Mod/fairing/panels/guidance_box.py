@@ -10,7 +10,7 @@ from PySide import QtCore
 
 from .. import selection, subelements
 from ..features import links
-from ..features.guides import FeatureCurve, NormalHandle, frozen_links
+from ..features.guides import FeatureCurve, NormalHandle, faces_beside, frozen_links, middle_of
 from ..translation import translate
 from .guide_fields import GuideFields
 from .guide_list import GuideList
@@ -35,6 +35,7 @@ class GuidanceBox(QtCore.QObject):
     def __init__(self, ui, session, takes_guides: bool = True):
         super().__init__(ui)
         self._ui, self._session, self._diagonal = ui, session, 0.0
+        self.normal_near = lambda point: (0.0, 0.0, 1.0)  # of the surface, what a curve without faces starts with
         self._list, self._fields = GuideList(ui, session), GuideFields(ui, session)
         self._lambda = WeightSlider(ui.lambdaSlider, ui.lambdaSpin, session.request.lambda_)
         self._gamma = WeightSlider(ui.gammaSlider, ui.gammaSpin, session.request.gamma)
@@ -107,6 +108,8 @@ class GuidanceBox(QtCore.QObject):
         """How well the surface follows, and what that costs."""
         if report:
             self._diagonal = report["diagonal"]
+        for button in (self._ui.normalButton, self._ui.curveButton):
+            button.setEnabled(self._diagonal > 0.0)  # there has been a surface
         self.show_followed(guidance, energy)
         self._ui.followLabel.setVisible(self._session.is_guided)
 
@@ -172,7 +175,9 @@ class GuidanceBox(QtCore.QObject):
         if name and not subelements.is_edge(name):
             return
         self._ui.curveButton.setChecked(False)
-        self._add(FeatureCurve(frozen_links((obj, [name] if name else [])), self._radius()))
+        curve, container = frozen_links((obj, [name] if name else [])), self._session.container
+        normal = None if faces_beside(curve, container) else _rounded(self.normal_near(middle_of(curve, container)))
+        self._add(FeatureCurve(curve, self._radius(), normal=normal))
 
     def _add(self, guide) -> None:
         session = self._session

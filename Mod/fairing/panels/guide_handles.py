@@ -7,6 +7,7 @@ import math
 from typing import Callable
 
 import FreeCAD as App
+import numpy as np
 from pivy import coin
 
 from .mesh_hit import first_hit
@@ -56,6 +57,13 @@ class GuideHandles(SceneHandles):
     def use_mesh(self, mesh) -> None:
         """The surface that clicks and feet meet, None for none."""
         self._mesh = mesh
+
+    def normal_near(self, point) -> tuple:
+        """Of the surface at its corner of the mesh that is nearest to a point. Raises ValueError without a surface."""
+        if self._mesh is None:
+            raise ValueError("There is no surface yet to take a normal from: wait for it, or give it what it lacks.")
+        points, normals, _ = self._mesh
+        return tuple(normals[np.argmin(np.linalg.norm(points - np.asarray(point), axis=1))])
 
     def _want(self) -> None:
         self._mouse.want(self, self._lit != NOTHING or self._is_placing)

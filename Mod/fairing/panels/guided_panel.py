@@ -35,6 +35,7 @@ class GuidedPanel(SolvingPanel):
         handles.on_turn = self._turn
         handles.on_choose = self._guidance.select
         handles.on_place = self._guidance.place
+        self._guidance.normal_near = handles.normal_near
 
     def _show_object(self, shown: bool) -> None:
         """The arrows to drag stand for its guides."""
@@ -53,7 +54,7 @@ class GuidedPanel(SolvingPanel):
         """Shows the surface under another guide at once where there is one to start from; what OK takes is solved when
         the guide stays."""
         self._draw_handles()
-        if self._kept is None or not hasattr(self._kept, "guiding") or not self._ui.previewCheck.isChecked():
+        if self._kept is None or not self._ui.previewCheck.isChecked():
             self._refresh()
             return
         self._idle()
@@ -68,11 +69,13 @@ class GuidedPanel(SolvingPanel):
             self._settled.start()
 
     def _show_guided(self, fill, mesh) -> None:
-        """The surface and how it follows; the rest of its numbers are measured when it stays."""
+        """The surface, how it follows and how good it is; the rest of its numbers are read when it stays."""
         guidance = self._guidance
+        report = fill.report
+        self._say(*self._judge(fill, report))
         self._display.show_mesh(mesh)
         self._display.show_guidance(fill, guidance.shows_field, guidance.shows_net)
-        guidance.show_followed(*self._followed(fill.report))
+        guidance.show_followed(*self._followed(report))
 
     def _show_result(self, value):
         self._kept = value[0]

@@ -23,6 +23,7 @@ class GuidedSession:
         self.reference: list[links.Link] = []
         self.guides: tuple[Guide, ...] = ()
         self._natives: dict[Guide, dict] = {}  # a dragged handle leaves the others as they are
+        self._followed = None  # what a native result was asked last, and by what
 
     def set_reference(self, reference) -> None:
         """[(object, [names])]. Raises ValueError where one holds nothing that guides, and then all is as before."""
@@ -60,10 +61,12 @@ class GuidedSession:
         return bool(self.reference)
 
     def guided(self, fill):
-        """A native result as it is under the guidance of now, at the cost of one solve, and its mesh. Raises
-        FairingError."""
+        """A native result as it is under the guidance of now, at the cost of one solve, and its mesh. Only a guide that is
+        new is looked up. Raises FairingError."""
         request = self.request
-        made = fill.guiding(request.lambda_, request.gamma, json.loads(request.guide))
+        is_known, self._followed = self._followed == (fill, request.guide), None
+        made = fill.guiding(request.lambda_, request.gamma, None if is_known else json.loads(request.guide))
+        self._followed = fill, request.guide
         return made, made.mesh(MESH_POINTS)
 
     def _read_guidance(self, obj: App.DocumentObject) -> None:
