@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/analysis/measure_guidance.h"
+#include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_guidance.h"
 #include "core/base/stopwatch.h"
 #include "core/span/one_pass.h"
@@ -57,6 +58,9 @@ Result<FillResult> GuidedSpan::under(const energy::Guidance& guidance, bool look
   if (!guided) return fail(guided.error());
   result.unguided = makePatches(layout_, unguided_);
   result.span = span_;
+  const solver::Sparse stiffness =
+      assembly::assembleEnergy(layout_, energy::energyTerms(options_.energy));
+  result.summary.energy = 0.5 * latest_.cwiseProduct(stiffness * latest_).sum();
   result.summary.solves = 1;
   result.summary.solveTime = solveTime;
   result.summary.measureTime = watch.lap();

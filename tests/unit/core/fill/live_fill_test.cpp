@@ -76,6 +76,7 @@ TEST_P(LiveFills, AreThoseOfAWholeFillUnderTheSameWeight) {
   EXPECT_LT(farthest(again->patches, start.patches), 2e-4 * loop_.diagonal);
   ASSERT_TRUE(again->report.guidance.has_value());
   EXPECT_NEAR(again->report.guidance->rmsAngle, start.report.guidance->rmsAngle, 0.05);
+  EXPECT_NEAR(again->summary.energy, start.summary.energy, 1e-2 * start.summary.energy);
 }
 
 TEST_P(LiveFills, FollowMoreCloselyTheMoreTheGuideWeighs) {
