@@ -12,7 +12,7 @@ ARROW = 0.05  # of the size of what guides, the length of an arrow
 HEAD = 0.3, 0.12  # of an arrow, length and half width of its head
 WEAK, STRONG = np.array([0.35, 0.55, 0.85]), np.array([0.90, 0.15, 0.10])
 NET_COLOR = (0.10, 0.35, 0.30)
-LINE_WIDTH = 1.5  # pixels
+LINE_WIDTH, POINT_SIZE = 1.0, 3.0  # pixels
 
 
 class GuidanceDrawing:
@@ -22,6 +22,7 @@ class GuidanceDrawing:
         self.root = coin.SoSeparator()
         light, style = coin.SoLightModel(), coin.SoDrawStyle()
         light.model, style.lineWidth = coin.SoLightModel.BASE_COLOR, LINE_WIDTH
+        style.pointSize = POINT_SIZE
         self._field, self._net = _Field(), _Net()
         for node in (light, style, self._field.root, self._net.root):
             self.root.addChild(node)
