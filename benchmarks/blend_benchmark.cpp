@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/registered.h"
 #include "core/analysis/tessellation.h"
 #include "core/blend/natural_strip.h"
 #include "occt/blend_shape.h"
@@ -22,7 +23,6 @@
 namespace fairing::benchmarks {
 namespace {
 
-constexpr int kRepetitions = 5;
 constexpr int kDivisions = 32;  // of the preview, along either parameter
 constexpr double kRound = 2.0 * std::numbers::pi;
 constexpr double kMicrometres = 1000.0;  // in a millimetre
@@ -120,14 +120,6 @@ void reachSlider(benchmark::State& state, const Case& c) {
   }
 }
 
-void add(const Case& c, const std::string& what, void (*function)(benchmark::State&, const Case&)) {
-  benchmark::RegisterBenchmark((c.name + "/" + what).c_str(),
-                               [=](benchmark::State& state) { function(state, c); })
-      ->Unit(benchmark::kMillisecond)
-      ->Repetitions(kRepetitions)
-      ->ReportAggregatesOnly();
-}
-
 }  // namespace
 }  // namespace fairing::benchmarks
 
@@ -136,8 +128,8 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   for (const Case& c : makeCases()) {
-    add(c, "blend", wholeBlend);
-    add(c, "reach_slider", reachSlider);
+    add(c.name + "/blend", [=](benchmark::State& state) { wholeBlend(state, c); });
+    add(c.name + "/reach_slider", [=](benchmark::State& state) { reachSlider(state, c); });
   }
   benchmark::RunSpecifiedBenchmarks();
 }

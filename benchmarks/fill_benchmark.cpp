@@ -11,6 +11,7 @@
 #include "benchmarks/comparison.h"
 #include "benchmarks/holes.h"
 #include "benchmarks/occt_fillings.h"
+#include "benchmarks/registered.h"
 #include "core/fill/fill_hole.h"
 #include "occt/fill_shape.h"
 #include "occt/measure_shape.h"
@@ -21,7 +22,6 @@
 namespace fairing::benchmarks {
 namespace {
 
-constexpr int kRepetitions = 5;
 constexpr double kMicrometres = 1000.0;  // in a millimetre
 
 occt::Picks picksOf(const Hole& hole) {
@@ -74,16 +74,6 @@ void occtFill(benchmark::State& state,
   note(state, *report);
 }
 
-template <class Function>
-benchmark::internal::Benchmark* add(const Hole& hole,
-                                    const std::string& method,
-                                    Function function) {
-  return benchmark::RegisterBenchmark((hole.name + "/" + method).c_str(), function)
-      ->Unit(benchmark::kMillisecond)
-      ->Repetitions(kRepetitions)
-      ->ReportAggregatesOnly();
-}
-
 // False where the hole cannot be read: a benchmark of nothing is none.
 bool addHole(const Hole& hole) {
   const occt::ShapeIndex index(hole.shape);
@@ -97,13 +87,13 @@ bool addHole(const Hole& hole) {
     sides.push_back({index.edge(side.edge), index.face(side.face)});
 
   using benchmark::State;
-  add(hole, kFairing, [=](State& state) { wholeFill(state, hole); });
-  add(hole, kSolve, [=](State& state) { bareSolve(state, *loop); })->UseManualTime();
-  add(hole, kMakeFilling, [=](State& state) { occtFill(state, *loop, sides, makeFilling); });
+  add(hole.name + "/" + kFairing, [=](State& state) { wholeFill(state, hole); });
+  add(hole.name + "/" + kSolve, [=](State& state) { bareSolve(state, *loop); })->UseManualTime();
+  add(hole.name + "/" + kMakeFilling,
+      [=](State& state) { occtFill(state, *loop, sides, makeFilling); });
   if (suitsConstrainedFilling(sides))
-    add(hole, kConstrained, [=](State& state) {
-      occtFill(state, *loop, sides, constrainedFilling);
-    });
+    add(hole.name + "/" + kConstrained,
+        [=](State& state) { occtFill(state, *loop, sides, constrainedFilling); });
   return true;
 }
 

@@ -11,6 +11,7 @@
 
 #include "benchmarks/graph.h"
 #include "benchmarks/holes.h"
+#include "benchmarks/registered.h"
 #include "core/analysis/tessellation.h"
 #include "occt/guide_live.h"
 #include "text/error_text.h"
@@ -18,7 +19,6 @@
 namespace fairing::benchmarks {
 namespace {
 
-constexpr int kRepetitions = 5;
 constexpr int kDivisions = 32;  // of the preview, along either parameter
 
 struct Case {
@@ -109,14 +109,6 @@ void slide(benchmark::State& state, const Case& c, bool lookUp) {
   state.counters["patches"] = static_cast<double>(fill->fill.patches.size());
 }
 
-void add(const Case& c, const std::string& what, bool lookUp) {
-  benchmark::RegisterBenchmark((c.name + "/" + what).c_str(),
-                               [=](benchmark::State& state) { slide(state, c, lookUp); })
-      ->Unit(benchmark::kMillisecond)
-      ->Repetitions(kRepetitions)
-      ->ReportAggregatesOnly();
-}
-
 }  // namespace
 }  // namespace fairing::benchmarks
 
@@ -125,8 +117,8 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   for (const Case& c : kCases) {
-    add(c, "slider", false);
-    add(c, "handle", true);
+    add(c.name + "/slider", [=](benchmark::State& state) { slide(state, c, false); });
+    add(c.name + "/handle", [=](benchmark::State& state) { slide(state, c, true); });
   }
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -143,10 +143,9 @@ Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {
   if (const auto error = validate(BlendOptions{.reach = reach})) return fail(*error);
   auto fill = blend.natural->reaching(reach);
   if (!fill) return fail(fill.error());
-  addSingularSupports(blend.loop, fill->report);
-  const auto faces = makeFaces(*fill);
-  if (!faces) return fail(faces.error());
-  return ShapeBlend{{*faces, std::move(*fill), blend.loop, blend.live}, blend.natural, reach};
+  auto shape = refaced(blend, std::move(*fill));
+  if (!shape) return fail(shape.error());
+  return ShapeBlend{std::move(*shape), blend.natural, reach};
 }
 
 }  // namespace fairing::occt

@@ -120,8 +120,7 @@ double deviationOf(const spline::BsplineSurface& made, const Geom_Surface& from)
   double largest = 0.0;
   for (int i = 0; i < kChecks; ++i)
     for (int j = 0; j < kChecks; ++j) {
-      const double u = made.u.first() + (made.u.last() - made.u.first()) * i / (kChecks - 1);
-      const double v = made.v.first() + (made.v.last() - made.v.first()) * j / (kChecks - 1);
+      const double u = made.u.at(i / (kChecks - 1.0)), v = made.v.at(j / (kChecks - 1.0));
       largest = std::max(largest, (made.evaluate(u, v) - fromOcct(from.Value(u, v))).norm());
     }
   return largest;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/base/parallel_for.h"
 #include "occt/find_holes.h"
 #include "occt/guarded.h"
 
@@ -174,8 +175,7 @@ std::vector<HoleFill> fillHoles(const ShapeIndex& index,
                                 const FillOptions& options,
                                 Progress* progress,
                                 int threads) {
-  const int machine = int(std::max(1u, std::thread::hardware_concurrency()));
-  const int wanted = threads > 0 ? threads : machine;
+  const int wanted = threads > 0 ? threads : threadsOfMachine();
   return Crew(index, holes, options).work(progress, std::min(wanted, int(holes.size())));
 }
 

@@ -7,6 +7,14 @@
 #include "occt/support_notes.h"
 
 namespace fairing::occt {
+
+Result<ShapeFill> refaced(const ShapeFill& before, FillResult fill) {
+  addSingularSupports(before.loop, fill.report);
+  const auto faces = makeFaces(fill);
+  if (!faces) return tl::unexpected(faces.error());
+  return ShapeFill{*faces, std::move(fill), before.loop, before.live};
+}
+
 Result<ShapeFill> fillShape(const ShapeIndex& index,
                             const Picks& picks,
                             const FillOptions& options,

@@ -19,6 +19,10 @@ struct ShapeFill {
   std::shared_ptr<LiveFill> live = nullptr;  ///< what guiding() moves
 };
 
+/// Another fill of the same hole, its faces alone, with notes on its supports. Fails as makeFaces()
+/// does.
+[[nodiscard]] Result<ShapeFill> refaced(const ShapeFill& before, FillResult fill);
+
 /// The whole way: loop, patches, faces, result. Fails with the codes of readBoundary(), fillHole()
 /// and joinResult().
 [[nodiscard]] Result<ShapeFill> fillShape(const ShapeIndex& index,

@@ -3,25 +3,11 @@
 
 #include <utility>
 
-#include "occt/make_faces.h"
-#include "occt/support_notes.h"
-
 namespace fairing::occt {
-namespace {
-
-Result<ShapeFill> withFaces(const ShapeFill& before, FillResult fill) {
-  addSingularSupports(before.loop, fill.report);
-  const auto faces = makeFaces(fill);
-  if (!faces) return fail(faces.error());
-  return ShapeFill{*faces, std::move(fill), before.loop, before.live};
-}
-
-}  // namespace
-
 Result<ShapeFill> guiding(const ShapeFill& before, const energy::Guidance& guidance, bool lookUp) {
   auto fill = before.live->under(guidance, lookUp);
   if (!fill) return tl::unexpected(fill.error());
-  return withFaces(before, std::move(*fill));
+  return refaced(before, std::move(*fill));
 }
 
 Result<ShapeBlend> guiding(const ShapeBlend& before,
@@ -33,7 +19,7 @@ Result<ShapeBlend> guiding(const ShapeBlend& before,
   const auto natural = before.natural->guided(guidance, std::move(*guided));
   auto fill = natural->reaching(before.reach);
   if (!fill) return tl::unexpected(fill.error());
-  auto shape = withFaces(before, std::move(*fill));
+  auto shape = refaced(before, std::move(*fill));
   if (!shape) return tl::unexpected(shape.error());
   return ShapeBlend{std::move(*shape), natural, before.reach};
 }

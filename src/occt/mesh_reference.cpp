@@ -159,9 +159,12 @@ class Mesh {
       const Vector3d normal = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
       for (const int corner : t) normals_[static_cast<std::size_t>(corner)] += normal;
     }
-    for (const auto& [edge, uses] : edgesOf(triangles)) border_.insert(edge);
-    for (const auto& [edge, uses] : edgesOf(triangles)) border_.erase({edge.second, edge.first});
-    for (const Edge& edge : border_) rim_.insert({edge.first, edge.second});
+    const std::map<Edge, int> edges = edgesOf(triangles);
+    for (const auto& [edge, uses] : edges) {
+      if (edges.count({edge.second, edge.first}) > 0) continue;
+      border_.insert(edge);
+      rim_.insert({edge.first, edge.second});
+    }
     tree_.MarkDirty();
     tree_.BVH();
   }

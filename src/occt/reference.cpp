@@ -7,10 +7,8 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 #include "occt/face_projector.h"
@@ -59,28 +57,41 @@ energy::GuidanceSample nearer(const Eigen::Vector3d& point,
   return (a.point - point).squaredNorm() <= (b.point - point).squaredNorm() ? a : b;
 }
 
-/// A projector for every thread that asks: they must not be shared.
+/// Projectors must not be shared by threads: each question takes an idle one, or a new one.
 class ProjectorPool {
  public:
   explicit ProjectorPool(const TopoDS_Shape& faces) : faces_(faces) {}
 
-  const FacesProjector& mine() {
+  FaceFoot nearest(const Eigen::Vector3d& point) {
+    auto projector = take();
+    const FaceFoot foot = projector->nearest(point);
     const std::lock_guard lock(mutex_);
-    auto& own = projectors_[std::this_thread::get_id()];
-    if (!own) own = std::make_unique<FacesProjector>(faces_);
-    return *own;
+    idle_.push_back(std::move(projector));
+    return foot;
   }
 
  private:
+  std::unique_ptr<FacesProjector> take() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!idle_.empty()) {
+        auto projector = std::move(idle_.back());
+        idle_.pop_back();
+        return projector;
+      }
+    }
+    return std::make_unique<FacesProjector>(faces_);
+  }
+
   TopoDS_Shape faces_;
   std::mutex mutex_;
-  std::map<std::thread::id, std::unique_ptr<FacesProjector>> projectors_;
+  std::vector<std::unique_ptr<FacesProjector>> idle_;
 };
 
 Reference referenceOnFaces(const std::shared_ptr<ProjectorPool>& pool) {
   return [pool](const Eigen::Vector3d& near) -> energy::GuidanceSample {
     try {
-      const FaceFoot foot = pool->mine().nearest(near);
+      const FaceFoot foot = pool->nearest(near);
       const double weight = foot.beside ? 0.0 : 1.0;
       return {.normal = foot.normal, .point = foot.at.point, .lambda = weight, .gamma = weight};
     } catch (const Standard_Failure&) {
@@ -97,8 +108,8 @@ Result<Reference> referenceOn(const TopoDS_Shape& shape) {
     std::vector<Reference> all;
     for (const Handle(Poly_Triangulation) & mesh : parts.meshes)
       all.push_back(referenceOnMesh(mesh));
-    const auto pool = std::make_shared<ProjectorPool>(parts.faces);
-    if (!pool->mine().isEmpty()) all.push_back(referenceOnFaces(pool));
+    if (TopExp_Explorer(parts.faces, TopAbs_FACE).More())
+      all.push_back(referenceOnFaces(std::make_shared<ProjectorPool>(parts.faces)));
     if (all.empty()) return fail({.code = ErrorCode::ShapeEmpty});
     if (all.size() == 1) return all.front();
     return [all](const Eigen::Vector3d& near) {

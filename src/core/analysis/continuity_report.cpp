@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/angle.h"
+
 namespace fairing::analysis {
 namespace {
 
@@ -13,7 +15,6 @@ using boundary::BoundaryLoop;
 using boundary::BoundarySide;
 using Eigen::Vector3d;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 // Curvatures below this over the diagonal count as flat when they are compared.
 constexpr double kFlat = 0.01;
 // What a twist mismatch leaves near the corner, as a share of mismatch times knot span: the largest
@@ -38,24 +39,18 @@ void finish(Deviation& d) {
   d.rms = d.count > 0 ? std::sqrt(d.rms / d.count) : 0.0;
 }
 
-// Between the lines of two unit normals: which way a neighbour is oriented is not a matter of
-// tangency.
-double angleBetween(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * kDegrees;
-}
-
 // Between a patch's cross tangent and the direction a side asks for.
 double departureAngle(const ProbePoint& probe,
                       const MeasuredFoot& foot,
                       boundary::Departure asked) {
-  if (asked == boundary::Departure::Iso) return angleBetween(foot.across, probe.iso);
+  if (asked == boundary::Departure::Iso) return lineAngle(foot.across, probe.iso);
   return std::asin(std::min(1.0, std::abs(foot.across.dot(probe.tangent)))) * kDegrees;
 }
 
 void addFoot(const ProbePoint& probe, const MeasuredFoot& foot, double flat, SideReport& report) {
   add(report.gap, foot.gap, probe);
   if (!probe.hasNormal) return;
-  const double angle = angleBetween(foot.normal, probe.normal);
+  const double angle = lineAngle(foot.normal, probe.normal);
   // The hole is to the left of the side seen against the support's normal; so must be the patch.
   const double agreement = foot.normal.dot(probe.normal) < 0.0 ? -1.0 : 1.0;
   const double asked = report.askedLeaving == boundary::Leaving::Backwards ? -1.0 : 1.0;

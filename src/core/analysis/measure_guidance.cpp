@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/angle.h"
 #include "core/energy/guidance_samples.h"
 
 namespace fairing::analysis {
@@ -19,7 +20,6 @@ using Patches = std::vector<spline::BsplineSurface>;
 
 // A reference that misses less than this share of the patches is not worth a note.
 constexpr double kWholly = 1.0 - 1e-9;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Calls visit(patch, sample) for every sample on a face.
 template <class Visit>
@@ -32,11 +32,6 @@ void forEachSample(const Guidance& guidance,
     for (const WeightedSample& s :
          energy::guidanceSamples(guidance, feet, patches[p].u, patches[p].v, patches[p]))
       if (!onFace || onFace(p, s.u, s.v)) visit(patches[p], s);
-}
-
-/// Between two lines, degrees, 0 to 90: the energies do not tell N from -N.
-double angleBetween(const Vector3d& a, const Vector3d& b) {
-  return kDegrees * std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
 class Sum {
@@ -87,7 +82,7 @@ Result<GuidanceReport> measureGuidance(const Guidance& guidance,
                   }
                   if (s.guide.lambda > 0.0 && s.guide.normal.norm() > 0.0 && normal.norm() > 0.0)
                     sum.addAngle(
-                        jet.point, angleBetween(normal, s.guide.normal), s.weight * s.guide.lambda);
+                        jet.point, lineAngle(normal, s.guide.normal), s.weight * s.guide.lambda);
                   if (s.guide.gamma > 0.0)
                     sum.addDistance((jet.point - s.guide.point).norm(), s.weight * s.guide.gamma);
                 });

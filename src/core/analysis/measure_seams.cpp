@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/analysis/curvature.h"
+#include "core/base/angle.h"
 
 namespace fairing::analysis {
 namespace {
@@ -47,7 +48,7 @@ std::vector<SeamReport> measureSeams(const std::vector<spline::BsplineSurface>& 
       const spline::SurfaceJet a = jetAt(seam.first, t), b = jetAt(seam.second, t);
       const Vector3d na = a.normalVector().normalized(), nb = b.normalVector().normalized();
       add(report.gap, (a.point - b.point).norm(), a.point, t);
-      const double angle = std::atan2(na.cross(nb).norm(), na.dot(nb)) * 180.0 / std::numbers::pi;
+      const double angle = angleBetween(na, nb);
       add(report.angle, angle, a.point, t);
       report.angleCurve.push_back({t, angle});
       const Vector3d across = na.cross(a.point - before).normalized();

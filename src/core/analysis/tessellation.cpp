@@ -20,8 +20,7 @@ Mesh tessellate(const std::vector<spline::BsplineSurface>& patches,
     const int first = static_cast<int>(vertex);
     for (int i = 0; i < side; ++i)
       for (int j = 0; j < side; ++j, ++vertex) {
-        const auto jet = patches[p].jet(u.first() + (u.last() - u.first()) * i / divisions,
-                                        v.first() + (v.last() - v.first()) * j / divisions);
+        const auto jet = patches[p].jet(u.at(double(i) / divisions), v.at(double(j) / divisions));
         const Eigen::Vector3d normal = jet.normalVector().normalized() * (reversed[p] ? -1.0 : 1.0);
         mesh.points.row(vertex) = jet.point.cast<float>().transpose();
         mesh.normals.row(vertex) = normal.cast<float>().transpose();

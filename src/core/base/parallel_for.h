@@ -7,6 +7,11 @@
 
 namespace fairing {
 
+/// As many threads as the machine runs at once.
+[[nodiscard]] inline int threadsOfMachine() {
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
 /// Calls work(i) for i = 0 ... count - 1, each once, on so many threads, this one among them.
 /// Returns when all is done; `work` does not throw.
 template <class Work>

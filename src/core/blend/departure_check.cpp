@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/angle.h"
+
 namespace fairing {
 namespace {
 
@@ -40,8 +42,7 @@ std::optional<Error> endAgainstSide(const BoundarySide& side, const BoundarySide
   Vector3d asked = side.departure == Departure::Iso ? support.iso : left;
   if (asked.dot(left) < 0.0) asked = -asked;
   if (side.leaving == boundary::Leaving::Backwards) asked = -asked;
-  const double angle =
-      std::atan2(leaving.cross(asked).norm(), leaving.dot(asked)) * 180.0 / std::numbers::pi;
+  const double angle = angleBetween(leaving, asked);
   const double allowed = side.departure == Departure::Free ? 90.0 : kSameDirection;
   if (angle <= allowed) return std::nullopt;
   return Error{ErrorCode::EndAgainstSide, side.edge, side.face, curve.point, angle};

@@ -7,13 +7,13 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/angle.h"
 #include "core/boundary/constraint_normal.h"
 #include "core/spline/quadrature.h"
 
 namespace fairing::boundary {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr int kSizeSamples = 32;
 // A side shorter than this share of the diagonal is a point for every practical purpose.
 constexpr double kShortestSide = 1e-7;
@@ -123,12 +123,12 @@ Corner cornerBetween(const BoundarySide& before, const BoundarySide& after) {
   corner.point = 0.5 * (end.point + start.point);
   corner.gap = (end.point - start.point).norm();
   const Eigen::Vector3d back = -end.derivative.normalized(), on = start.derivative.normalized();
-  corner.angle = std::atan2(back.cross(on).norm(), back.dot(on)) * kDegrees;
+  corner.angle = angleBetween(back, on);
   corner.insideAngle = insideAngle(before, after, corner.angle);
   if (before.ribbon.hasSupport() && after.ribbon.hasSupport()) {
     const Eigen::Vector3d a = before.ribbon.support(1.0).normal,
                           b = after.ribbon.support(0.0).normal;
-    corner.normalMismatch = std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * kDegrees;
+    corner.normalMismatch = lineAngle(a, b);
   }
   corner.twistMismatch = twistMismatch(before, after);
   return corner;

@@ -10,6 +10,7 @@
 #include "core/analysis/measure_guidance.h"
 #include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_guidance.h"
+#include "core/base/angle.h"
 #include "core/energy/energy.h"
 #include "core/solver/solve.h"
 #include "core/spline/quadrature.h"
@@ -31,11 +32,7 @@ using spline::KnotVector;
 constexpr int kLeastDegree = 3, kLargestDegree = 9, kMostSpans = 64;
 // A domain longer than this in proportion would be all one direction's energy.
 constexpr double kLongest = 100.0;
-// Times that guidance is looked up again, and the move below which it is not, of the diagonal.
-constexpr int kLookUps = 5;
-constexpr double kStill = 1e-4;
 constexpr int kBorderSamples = 201, kMoveSamples = 65;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 KnotVector split(const KnotVector& knots, int spans) {
   const std::vector<double> breaks = knots.breaks();
@@ -129,10 +126,9 @@ double extendedEnergy(const solver::QuadraticProgram& program,
                       const Guidance& guidance,
                       const spline::Poles& poles) {
   const Eigen::Map<const Eigen::VectorXd> x(poles.data(), poles.size());
-  const double apart =
-      0.5 * poles.cwiseProduct(guide.points * poles).sum() - guide.load.dot(x) + guide.constant;
-  return solver::energy(program, poles) + 0.5 * guidance.lambda * x.dot(guide.normals * x) +
-         guidance.gamma * apart;
+  const double apart = solver::energy(guide.points, poles) - guide.load.dot(x) + guide.constant;
+  return solver::energy(program.stiffness, poles) +
+         0.5 * guidance.lambda * x.dot(guide.normals * x) + guidance.gamma * apart;
 }
 
 std::vector<Vector2d> wholeBorder(const BsplineSurface& surface) {
@@ -158,13 +154,11 @@ void measureMoves(const BsplineSurface& old,
     report.borderMove = std::max(report.borderMove, (before.point - after.point).norm());
     const Vector3d a = before.normalVector(), b = after.normalVector();
     if (a.norm() > 0.0 && b.norm() > 0.0)
-      report.borderTurn =
-          std::max(report.borderTurn, kDegrees * std::atan2(a.cross(b).norm(), a.dot(b)));
+      report.borderTurn = std::max(report.borderTurn, angleBetween(a, b));
   }
   for (int i = 0; i < kMoveSamples; ++i)
     for (int j = 0; j < kMoveSamples; ++j) {
-      const double u = old.u.first() + (old.u.last() - old.u.first()) * i / (kMoveSamples - 1.0);
-      const double v = old.v.first() + (old.v.last() - old.v.first()) * j / (kMoveSamples - 1.0);
+      const double u = old.u.at(i / (kMoveSamples - 1.0)), v = old.v.at(j / (kMoveSamples - 1.0));
       report.largestMove =
           std::max(report.largestMove, (old.evaluate(u, v) - now.evaluate(u, v)).norm());
     }
@@ -189,8 +183,7 @@ analysis::OnFace onFace(const BsplineSurface& scaled,
                         const EditRegion& region) {
   if (!region.contains) return {};
   const auto back = [](double t, const KnotVector& from, const KnotVector& to) {
-    const double share = (t - from.first()) / (from.last() - from.first());
-    return to.first() + share * (to.last() - to.first());
+    return to.at((t - from.first()) / (from.last() - from.first()));
   };
   return [&, back](std::size_t, double u, double v) {
     const double s = back(u, scaled.u, old.u), t = back(v, scaled.v, old.v);
@@ -287,9 +280,9 @@ Result<EditResult> SurfaceEdit::settled(const Guidance& guidance) {
   for (int k = 0;; ++k) {
     const spline::Poles before = latest_.poles;
     auto result = under(guidance);
-    if (!result || !looksUp || k == kLookUps) return result;
+    if (!result || !looksUp || k == energy::kLookUps) return result;
     const double moved = (latest_.poles - before).rowwise().norm().maxCoeff();
-    if (moved < kStill * result->report.diagonal) return result;
+    if (moved < energy::kStill * result->report.diagonal) return result;
   }
 }
 

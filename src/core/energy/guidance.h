@@ -89,6 +89,11 @@ struct Guidance {
   [[nodiscard]] bool acts() const { return (lambda > 0.0 || gamma > 0.0) && isGiven(); }
 };
 
+/// How often guidance that isDrawn() is looked up again at most, and the move of the surface, as a
+/// share of the diagonal, below which it is not.
+inline constexpr int kLookUps = 5;
+inline constexpr double kStill = 1e-4;
+
 /// The same guidance with global weights of 1.
 [[nodiscard]] Guidance weighingOne(Guidance guidance);
 

@@ -2,7 +2,6 @@
 #include "core/energy/guidance_samples.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "core/base/parallel_for.h"
 #include "core/energy/lay_field.h"
@@ -12,9 +11,6 @@ namespace fairing::energy {
 namespace {
 
 using spline::KnotVector;
-
-// Nearest points are dear to look up.
-const int kThreads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 
 GuidanceSample weighted(GuidanceSample guide, const Guidance& by) {
   guide.lambda *= by.lambda;
@@ -118,7 +114,8 @@ void addLookedUp(const Guidance& g,
   const auto addAll = [&](GuideKind kind, const auto& guideAt) {
     const std::size_t first = samples.size();
     samples.insert(samples.end(), places.begin(), places.end());
-    parallelFor(kThreads, static_cast<int>(places.size()), [&](int k) {
+    // Nearest points are dear to look up.
+    parallelFor(threadsOfMachine(), static_cast<int>(places.size()), [&](int k) {
       WeightedSample& s = samples[first + static_cast<std::size_t>(k)];
       s.kind = kind;
       s.guide = weighted(guideAt(current.evaluate(s.u, s.v)), g);

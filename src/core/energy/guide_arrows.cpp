@@ -18,22 +18,17 @@ class Arrows {
   std::vector<GuideArrow> all;
 };
 
-double between(const spline::KnotVector& knots, double share) {
-  return knots.first() + share * (knots.last() - knots.first());
-}
-
 void addGrid(const DiscreteGuidance& grid, const BsplineSurface& patch, Arrows& arrows) {
   for (int i = 0; i <= grid.n; ++i)
     for (int j = 0; j <= grid.m; ++j) {
       const Eigen::Index k = Eigen::Index(i) * (grid.m + 1) + j;
-      const double u = between(patch.u, double(i) / grid.n),
-                   v = between(patch.v, double(j) / grid.m);
+      const double u = patch.u.at(double(i) / grid.n), v = patch.v.at(double(j) / grid.m);
       arrows.add(patch.evaluate(u, v), grid.normals.row(k), grid.lambda[k]);
     }
 }
 
 Vector3d splineNormal(const BsplineSurface& normals, double u, double v) {
-  return normals.evaluate(between(normals.u, u), between(normals.v, v));
+  return normals.evaluate(normals.u.at(u), normals.v.at(v));
 }
 
 }  // namespace
@@ -49,7 +44,7 @@ std::vector<GuideArrow> guideArrows(const Guidance& guidance,
     for (int i = 0; i < count; ++i)
       for (int j = 0; j < count; ++j) {
         const double u = (i + 0.5) / count, v = (j + 0.5) / count;
-        const Vector3d here = patch.evaluate(between(patch.u, u), between(patch.v, v));
+        const Vector3d here = patch.evaluate(patch.u.at(u), patch.v.at(v));
         const auto add = [&](const GuidanceSample& s) { arrows.add(here, s.normal, s.lambda); };
         if (field.continuous) arrows.add(here, splineNormal(field.continuous->normals, u, v), 1.0);
         if (guidance.parametric) add(guidance.parametric(u, v));

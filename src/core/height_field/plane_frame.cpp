@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/angle.h"
+
 namespace fairing::height_field {
 namespace {
 
@@ -17,7 +19,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr int kSamples = 48;  // a side
 // The plane of the area vector is kept up to this steepness: it treats all of the loop alike.
 constexpr double kGentle = 50.0;

@@ -3,7 +3,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <thread>
 
 #include "core/base/parallel_for.h"
 
@@ -17,8 +16,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-const int kThreads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 
 // Replaces the lower triangle of a matrix by its factor.
 bool factorizeInPlace(MatrixXd& matrix) {
@@ -99,7 +96,7 @@ void ArrowFactor::eliminate(const Sparse& matrix, Block& block) const {
 }
 
 bool ArrowFactor::factorize(const Sparse& matrix) {
-  parallelFor(kThreads, static_cast<int>(blocks_.size()), [&](int k) {
+  parallelFor(threadsOfMachine(), static_cast<int>(blocks_.size()), [&](int k) {
     eliminate(matrix, blocks_[at(k)]);
   });
   const auto count = static_cast<Index>(border_.size());

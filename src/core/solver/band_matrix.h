@@ -12,11 +12,9 @@ class BandMatrix {
   BandMatrix(int size, int width);
 
   [[nodiscard]] int size() const { return size_; }
-  [[nodiscard]] int width() const { return width_; }
   /// Entry (i, j) for 0 <= i - j <= width.
   [[nodiscard]] double& at(int i, int j) { return data_[place(i, j)]; }
   [[nodiscard]] double at(int i, int j) const { return data_[place(i, j)]; }
-  void setZero() { data_.setZero(); }
   void scale(double factor) { data_ *= factor; }
   /// Adds factor * (other (x) I3): a matrix of points that acts on each of their coordinates.
   void addThreefold(double factor, const BandMatrix& other);

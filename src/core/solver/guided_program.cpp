@@ -16,10 +16,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-VectorXd flat(const Points& points) {
-  return Eigen::Map<const VectorXd>(points.data(), points.size());
-}
-
 bool isSamePattern(const Sparse& a, const Sparse& b) {
   return a.nonZeros() == b.nonZeros() && a.cols() == b.cols() &&
          std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&

@@ -3,6 +3,10 @@
 
 namespace fairing::solver {
 
+Eigen::VectorXd flat(const Points& points) {
+  return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size());
+}
+
 Sparse threefold(const Sparse& matrix) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(3 * static_cast<std::size_t>(matrix.nonZeros()));

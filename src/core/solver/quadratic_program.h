@@ -52,6 +52,9 @@ struct QuadraticProgram {
   std::vector<ConstraintBlock> blocks;
 };
 
+/// The coordinates of points: x_0, y_0, z_0, x_1, ...
+[[nodiscard]] Eigen::VectorXd flat(const Points& points);
+
 /// A matrix of points as one of coordinates: M (x) I3.
 [[nodiscard]] Sparse threefold(const Sparse& matrix);
 

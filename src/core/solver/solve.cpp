@@ -71,8 +71,8 @@ Sparse freedomOf(const QuadraticProgram& program) {
   return threefold(tied.basis) * eliminateConstraints(withoutTies(program, tied)).basis;
 }
 
-double energy(const QuadraticProgram& program, const Points& points) {
-  return 0.5 * points.cwiseProduct(program.stiffness * points).sum();
+double energy(const Sparse& stiffness, const Points& points) {
+  return 0.5 * points.cwiseProduct(stiffness * points).sum();
 }
 
 }  // namespace fairing::solver

@@ -20,6 +20,6 @@ struct Solution {
 [[nodiscard]] Sparse freedomOf(const QuadraticProgram& program);
 
 /// 1/2 sum stiffness_ij x_i . x_j at given points: the energy without what couples or loads them.
-[[nodiscard]] double energy(const QuadraticProgram& program, const Points& points);
+[[nodiscard]] double energy(const Sparse& stiffness, const Points& points);
 
 }  // namespace fairing::solver

@@ -175,13 +175,12 @@ class Improvement {
       }
       if (!descent)
         descent.emplace(shape.layout, energy_, program_, start, size_, hold, effort.quadrature);
-      const double before = descent->energyAt(points) + descent->anchorAt(points);
-      const bool fell = descent->step(points);
-      shape.energy = descent->energyAt(points);
-      const double anchor = descent->anchorAt(points);
-      if (fell) shape.history.steps.push_back({level, shape.energy, anchor, descent->lastLength()});
-      if (!fell || before - (shape.energy + anchor) < effort.worthAStep * before ||
-          descent->lastLength() < effort.settled * size_) {
+      const ShapeStep step = descent->step(points);
+      shape.energy = step.energy;
+      if (step.fell) shape.history.steps.push_back({level, step.energy, step.anchor, step.length});
+      if (!step.fell ||
+          step.before - (step.energy + step.anchor) < effort.worthAStep * step.before ||
+          step.length < effort.settled * size_) {
         shape.history.end = solver::ShapeEnd::Converged;
         break;
       }

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/analysis/measure_guidance.h"
-#include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_guidance.h"
 #include "core/base/stopwatch.h"
 #include "core/span/one_pass.h"
@@ -32,6 +31,7 @@ GuidedSpan::GuidedSpan(std::shared_ptr<const Span> span,
                        FillOptions options)
     : span_(std::move(span)),
       layout_(std::move(layout)),
+      stiffness_(program.stiffness),
       program_(program),
       unguided_(std::move(unguided)),
       latest_(std::move(latest)),
@@ -58,9 +58,7 @@ Result<FillResult> GuidedSpan::under(const energy::Guidance& guidance, bool look
   if (!guided) return fail(guided.error());
   result.unguided = makePatches(layout_, unguided_);
   result.span = span_;
-  const solver::Sparse stiffness =
-      assembly::assembleEnergy(layout_, energy::energyTerms(options_.energy));
-  result.summary.energy = 0.5 * latest_.cwiseProduct(stiffness * latest_).sum();
+  result.summary.energy = solver::energy(stiffness_, latest_);
   result.summary.solves = 1;
   result.summary.solveTime = solveTime;
   result.summary.measureTime = watch.lap();

@@ -37,6 +37,7 @@ class GuidedSpan {
 
   std::shared_ptr<const Span> span_;
   layout::PatchLayout layout_;
+  solver::Sparse stiffness_;
   solver::GuidedProgram program_;
   solver::Points unguided_, latest_;
   FillOptions options_;

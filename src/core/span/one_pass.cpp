@@ -17,9 +17,6 @@ namespace {
 
 // Solves about the last one's solution that make the rows of G2 sides and inner constraints exact.
 constexpr int kNewtonSteps = 3;
-// Times that guidance is looked up again, and the move below which it is not, of the diagonal.
-constexpr int kLookUps = 5;
-constexpr double kStill = 1e-4;
 
 struct Solved {
   solver::QuadraticProgram program;
@@ -53,7 +50,7 @@ Result<solver::Solution> solveGuided(const Span& span,
   if (const auto wrong = fieldMisplaced(guidance, layout)) return fail(*wrong);
   const bool isNewton = isIterated(span.plan.cut.loop, options);
   const bool looksUp = guidance.isDrawn();
-  solver::Points current = aim.near && looksUp ? *aim.near : unguided;
+  solver::Points current = aim.near ? *aim.near : unguided;
   std::optional<solver::GuidedProgram> guided;
   for (int k = 0;; ++k) {
     if (!guided || isNewton) {
@@ -66,9 +63,10 @@ Result<solver::Solution> solveGuided(const Span& span,
         layout, energy::weighingOne(guidance), makePatches(layout, current));
     guided->setGuide(guide.normals, guide.points, guide.load);
     auto solution = guided->solve(guidance.lambda, guidance.gamma);
-    if (!solution || (!isNewton && !looksUp) || k == kLookUps) return solution;
+    if (!solution || (!isNewton && !looksUp) || k == energy::kLookUps) return solution;
     const double moved = (solution->points - current).rowwise().norm().maxCoeff();
-    if (moved < kStill * span.loop.diagonal && (!isNewton || k >= kNewtonSteps)) return solution;
+    if (moved < energy::kStill * span.loop.diagonal && (!isNewton || k >= kNewtonSteps))
+      return solution;
     current = solution->points;
   }
 }
@@ -93,7 +91,7 @@ Result<FillResult> fillOn(const Span& span,
   result.unguided = makePatches(layout, unguided->solution.points);
   result.summary.solveTime = solveTime;
   result.summary.measureTime = watch.lap();
-  result.summary.energy = solver::energy(unguided->program, solution.points);
+  result.summary.energy = solver::energy(unguided->program.stiffness, solution.points);
   return result;
 }
 

@@ -39,10 +39,6 @@ constexpr double kGoodModel = 0.7;
 // Of its area before a step, with its sign: what a piece of a patch has to keep.
 constexpr double kLeastArea = 0.05;
 
-VectorXd flat(const solver::Points& points) {
-  return Eigen::Map<const VectorXd>(points.data(), points.size());
-}
-
 Vector3d normalAt(const spline::BsplineSurface& patch, double u, double v) {
   const auto jet = patch.jet(u, v);
   return jet.u.cross(jet.v);
@@ -92,12 +88,8 @@ double ShapeDescent::energyAt(const solver::Points& points) const {
 
 double ShapeDescent::anchorAt(const solver::Points& points) const {
   if (anchor_.size() == 0) return 0.0;
-  const VectorXd off = flat(points) - flat(start_);
+  const VectorXd off = solver::flat(points) - solver::flat(start_);
   return 0.5 * off.dot(anchor_ * off) / scale_;
-}
-
-double ShapeDescent::sumAt(const solver::Points& points) const {
-  return energyAt(points) + anchorAt(points);
 }
 
 ShapeDescent::Model ShapeDescent::modelAt(const solver::Points& points) const {
@@ -116,16 +108,17 @@ ShapeDescent::Model ShapeDescent::modelAt(const solver::Points& points) const {
   }
   if (anchor_.size() > 0) {
     hessian += anchor_;
-    gradient += anchor_ * (flat(points) - flat(start_));
+    gradient += anchor_ * (solver::flat(points) - solver::flat(start_));
   }
   const MatrixXd reached = hessian * freedom_;
   return {freedom_.transpose() * reached, freedom_.transpose() * gradient};
 }
 
-bool ShapeDescent::step(solver::Points& points) {
+ShapeStep ShapeDescent::step(solver::Points& points) {
   const Model model = modelAt(points);
   const Patches patches = makePatches(layout_, points);
-  const double before = sumAt(points);
+  ShapeStep stay{.energy = energyAt(points), .anchor = anchorAt(points)};
+  stay.before = stay.energy + stay.anchor;
   for (int trial = 0; trial < kTrials; ++trial) {
     MatrixXd matrix = model.hessian;
     if (damping_ > 0.0) matrix += damping_ / (size_ * size_) * displacement();
@@ -135,20 +128,22 @@ bool ShapeDescent::step(solver::Points& points) {
       const VectorXd moved = freedom_ * free;
       const solver::Points next =
           points + Eigen::Map<const solver::Points>(moved.data(), points.rows(), 3);
-      const double fall = before - sumAt(next);
+      ShapeStep taken{
+          .fell = true, .before = stay.before, .energy = energyAt(next), .anchor = anchorAt(next)};
+      const double fall = stay.before - (taken.energy + taken.anchor);
       if (fall > 0.0 && !folds(patches, makePatches(layout_, next))) {
         points = next;
-        lastLength_ = std::sqrt(moved.squaredNorm() / static_cast<double>(points.rows()));
+        taken.length = std::sqrt(moved.squaredNorm() / static_cast<double>(points.rows()));
         const double expected =
             -(model.gradient.dot(free) + 0.5 * free.dot(model.hessian * free)) / scale_;
         if (anchor_.size() == 0 || fall > kGoodModel * expected)
           damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
-        return true;
+        return taken;
       }
     }
     damping_ = damping_ == 0.0 ? kFirstDamping : kDampingFactor * damping_;
   }
-  return false;
+  return stay;
 }
 
 // The integral of |d|^2 in the free directions, made where a step is rejected.

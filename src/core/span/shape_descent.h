@@ -15,6 +15,15 @@ struct ShapeHold {
   double anchor = 0.0;  ///< weight of the displacements along the surface since the start
 };
 
+/// A step that was taken, or tried in vain.
+struct ShapeStep {
+  bool fell = false;
+  double before = 0.0;  ///< what had to fall: the energy and what the anchor adds
+  double energy = 0.0;  ///< afterwards; not finite where a patch has no normal
+  double anchor = 0.0;  ///< afterwards, in the energy's unit
+  double length = 0.0;  ///< root of the mean square of the displacements of points, mm
+};
+
 /// Damped Gauss-Newton steps on an energy of the shape. Every step keeps the constraints of a
 /// program exactly, lets the energy and what the anchor adds to it fall, and folds no patch.
 class ShapeDescent {
@@ -34,15 +43,12 @@ class ShapeDescent {
   [[nodiscard]] double energyAt(const solver::Points& points) const;
   /// What the anchor adds, in the energy's unit.
   [[nodiscard]] double anchorAt(const solver::Points& points) const;
-  /// Takes a step from points that meet the constraints; false where none lets the sum fall.
-  [[nodiscard]] bool step(solver::Points& points);
-  /// Root of the mean square of the last step's displacements of points, mm.
-  [[nodiscard]] double lastLength() const { return lastLength_; }
+  /// Takes a step from points that meet the constraints, unless none lets the sum fall.
+  [[nodiscard]] ShapeStep step(solver::Points& points);
 
  private:
   struct Model;
 
-  [[nodiscard]] double sumAt(const solver::Points& points) const;
   [[nodiscard]] Model modelAt(const solver::Points& points) const;
   [[nodiscard]] const solver::Sparse& displacement();
 
@@ -56,7 +62,6 @@ class ShapeDescent {
   solver::Points start_;
   solver::Sparse anchor_;  // 3n x 3n, or empty
   double damping_ = 0.0;
-  double lastLength_ = 0.0;
 };
 
 }  // namespace fairing

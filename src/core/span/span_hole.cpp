@@ -11,10 +11,6 @@
 namespace fairing {
 namespace {
 
-Eigen::VectorXd flat(const solver::Points& points) {
-  return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size());
-}
-
 // Points that the sides fix or solve for: nothing else may.
 std::vector<char> takenPoints(const solver::QuadraticProgram& program) {
   std::vector<char> taken = program.fixed;
@@ -99,7 +95,7 @@ Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
   if (!constraints) return fail(constraints.error());
   solver::QuadraticProgram program;
   program.stiffness = assembly::assembleEnergy(layout, energy::energyTerms(kind));
-  if (aim.shape) program.load = flat(solver::Points(program.stiffness * *aim.shape));
+  if (aim.shape) program.load = solver::flat(solver::Points(program.stiffness * *aim.shape));
   program.fixed = std::move(constraints->fixed);
   program.values = std::move(constraints->values);
   hold(aim.held, program);

@@ -43,7 +43,8 @@ struct Aim {
   /// Where G2 sides and inner constraints are taken; without it sides are G1, constraints left out.
   std::optional<solver::Points> about;
   HeldPoints held;
-  /// Where guidance is looked up; without it near the minimiser that nothing guides.
+  /// Where guidance that isDrawn() is looked up first; without it near the minimiser that nothing
+  /// guides.
   std::optional<solver::Points> near = std::nullopt;
 };
 

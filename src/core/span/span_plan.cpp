@@ -80,7 +80,7 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
     auto tried = fillOn(span, layout, std::move(aim), options);
     if (!tried) return tried;
     tried->summary.solves = round + 1;
-    latest = tried->patches;
+    if (options.guidance.isDrawn()) latest = tried->patches;
     auto wishes = wishedKnots(span.plan, layout, tried->report, kRefineAim);
     wishForInner(
         layout, tried->patches, options.through, kRefineAim * tried->report.gapLimit, wishes);

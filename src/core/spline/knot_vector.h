@@ -23,6 +23,8 @@ class KnotVector {
   [[nodiscard]] int poleCount() const { return static_cast<int>(knots_.size()) - degree_ - 1; }
   [[nodiscard]] double first() const { return knots_.front(); }
   [[nodiscard]] double last() const { return knots_.back(); }
+  /// The parameter a share of the way from the first to the last.
+  [[nodiscard]] double at(double share) const { return first() + (last() - first()) * share; }
   [[nodiscard]] const std::vector<double>& knots() const { return knots_; }
   /// The distinct knots, ends included.
   [[nodiscard]] std::vector<double> breaks() const;

@@ -18,8 +18,7 @@ NearestPatch::NearestPatch(const std::vector<BsplineSurface>& patches) : patches
     const BsplineSurface& patch = patches[p];
     for (int i = 0; i <= kGrid; ++i)
       for (int j = 0; j <= kGrid; ++j) {
-        const double u = patch.u.first() + (patch.u.last() - patch.u.first()) * i / kGrid;
-        const double v = patch.v.first() + (patch.v.last() - patch.v.first()) * j / kGrid;
+        const double u = patch.u.at(double(i) / kGrid), v = patch.v.at(double(j) / kGrid);
         grid_.push_back({patch.evaluate(u, v), static_cast<int>(p), u, v});
       }
   }

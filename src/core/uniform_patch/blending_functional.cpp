@@ -37,6 +37,12 @@ double sumOf(const Lanes& lanes, int used) {
   return sum;
 }
 
+// In place of a jet, what F changes by with it.
+void putSlopes(const BlendingDerivatives<Lanes>& at, double weight, double* numbers) {
+  for (std::size_t k = 0; k < 27; ++k)
+    Eigen::Map<Lanes>(numbers + k * kLanes) = weight * at.gradient[k];
+}
+
 }  // namespace
 
 BlendingFunctional::BlendingFunctional(
@@ -80,8 +86,7 @@ BlendingValue<double> BlendingFunctional::value(const spline::Poles& points) con
     BlendingValue<double>& sum = ofRow[std::size_t(batch.row)];
     for (int p = 0; p < n; ++p)
       for (int q = 0; q < n; ++q) {
-        const double weight =
-            quadrature_.weights[std::size_t(p)] * quadrature_.weights[std::size_t(q)];
+        const double weight = quadrature_.weight(p, q);
         const BlendingValue<Lanes> at =
             blendingValue(jetAt(jets.row(9 * quadrature_.index(p, q)).data()));
         sum.shape += weight * sumOf(at.shape, batch.used);
@@ -119,12 +124,10 @@ Eigen::VectorXd BlendingFunctional::gradient(const spline::Poles& points) const 
     BlendingDerivatives<Lanes> at;
     for (int p = 0; p < n; ++p)
       for (int q = 0; q < n; ++q) {
-        const double weight =
-            quadrature_.weights[std::size_t(p)] * quadrature_.weights[std::size_t(q)];
+        const double weight = quadrature_.weight(p, q);
         double* numbers = jets.row(9 * quadrature_.index(p, q)).data();
         blendingGradient(jetAt(numbers), c_, at);
-        for (std::size_t k = 0; k < 27; ++k)
-          Eigen::Map<Lanes>(numbers + k * kLanes) = weight * at.gradient[k];
+        putSlopes(at, weight, numbers);
       }
     addGradient(jets, batch, gradient);
   });
@@ -143,12 +146,10 @@ BlendingModel BlendingFunctional::model(const spline::Poles& points) const {
     BlendingDerivatives<Lanes> at;
     for (int p = 0; p < n; ++p) {
       for (int q = 0; q < n; ++q) {
-        const double weight =
-            quadrature_.weights[std::size_t(p)] * quadrature_.weights[std::size_t(q)];
+        const double weight = quadrature_.weight(p, q);
         double* numbers = jets.row(9 * quadrature_.index(p, q)).data();
         blendingDerivatives(jetAt(numbers), c_, at);
-        for (std::size_t k = 0; k < 27; ++k)
-          Eigen::Map<Lanes>(numbers + k * kLanes) = weight * at.gradient[k];
+        putSlopes(at, weight, numbers);
         product.set(q, at.hessian);
         ofRow[std::size_t(batch.row)] +=
             weight * sumOf(at.value.shape + c_ * at.value.parametrisation, batch.used);

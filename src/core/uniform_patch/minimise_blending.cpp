@@ -12,7 +12,7 @@
 namespace fairing::uniform_patch {
 namespace {
 
-// Gauss points a span and direction. With 4 the minimum's F is exact to 1e-8, with 3 to 1e-7, on
+// Gauss points a span and direction. With 4 the minimum's F is exact to 2e-8, with 3 to 1e-7, on
 // nets of 16 x 16 and more; what is reported is measured with 10.
 constexpr int kPoints = 4, kPointsToMeasure = 10;
 

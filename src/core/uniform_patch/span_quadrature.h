@@ -14,6 +14,9 @@ struct SpanQuadrature {
   explicit SpanQuadrature(int pointsPerDirection);
 
   [[nodiscard]] int index(int p, int q) const { return p * n + q; }
+  [[nodiscard]] double weight(int p, int q) const {
+    return weights[std::size_t(p)] * weights[std::size_t(q)];
+  }
 
   int n;
   std::vector<Eigen::Matrix4d> rows;  ///< [p]: cubicRows at the p-th point of one direction

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+namespace fairing::benchmarks {
+
+/// Registers a benchmark as all of ours are run: milliseconds, and medians of five repetitions.
+template <class Function>
+benchmark::internal::Benchmark* add(const std::string& name, Function function) {
+  constexpr int kRepetitions = 5;
+  return benchmark::RegisterBenchmark(name.c_str(), function)
+      ->Unit(benchmark::kMillisecond)
+      ->Repetitions(kRepetitions)
+      ->ReportAggregatesOnly();
+}
+
+}  // namespace fairing::benchmarks
