@@ -38,8 +38,8 @@ class EditRequest:
         given = dataclasses.asdict(self)
         return {**given, "guide": json.loads(self.guide)}
 
-    def solve(self, brep: bytes):
-        """The native Edit of this request on a shape given as BREP text.
+    def solve(self, brep: bytes, progress=None):
+        """The native Edit of this request on a shape given as BREP text. One solve, so there is no progress to tell.
 
         May be called from any thread; the GIL is released while solving. Raises FairingError or NativeModuleError.
         """

@@ -38,11 +38,7 @@ def lean(obj):
 
 
 def raises(action):
-    try:
-        action()
-    except ValueError as error:
-        return str(error)
-    raise AssertionError("no ValueError")
+    return str(support.raises(ValueError, action))
 
 
 def a_handle_turns_the_face_and_the_border_stays():

@@ -11,15 +11,6 @@ import fairing
 import support
 
 
-def raises(kind, action):
-    """The exception an action fails with."""
-    try:
-        action()
-    except kind as error:
-        return error
-    raise AssertionError(f"{kind.__name__} expected")
-
-
 def makes_a_tangential_face_from_one_edge():
     document, base, edges = support.example()
     fill = fairing.make_fill(base, edges[:1])
@@ -152,11 +143,11 @@ def bad_input_leaves_the_document_as_it_was():
                            (edges, {"gap_tolerance": 0.0}), (edges, {"gap_tolerance": float("nan")}),
                            (edges, {"angle_tolerance": -1.0}), (edges, {"lambda_": -1.0}), (edges, {"energy": "soap"}),
                            (edges, {"edge_continuity": {"Edge1": "G0"}})):
-        assert str(raises(ValueError, lambda: fairing.make_fill(base, picks, **options)))
-        assert str(raises(ValueError, lambda: fairing.change_fill(fill, picks, **options)))
+        assert str(support.raises(ValueError, lambda: fairing.make_fill(base, picks, **options)))
+        assert str(support.raises(ValueError, lambda: fairing.change_fill(fill, picks, **options)))
         assert [(obj.Name, obj.State) for obj in document.Objects] == before
     empty = document.addObject("Part::Feature", "Empty")
-    assert "no shape" in str(raises(ValueError, lambda: fairing.make_fill(empty, ["Edge1"])))
+    assert "no shape" in str(support.raises(ValueError, lambda: fairing.make_fill(empty, ["Edge1"])))
     document.removeObject("Empty")
     support.is_filled(fill, base, edges)
 

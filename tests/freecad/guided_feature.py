@@ -43,11 +43,7 @@ def lean(fill, point, wish):
 
 
 def raises(action):
-    try:
-        action()
-    except ValueError as error:
-        return str(error)
-    raise AssertionError("no ValueError")
+    return str(support.raises(ValueError, action))
 
 
 def a_handle_turns_the_surface_and_lives_below_it():

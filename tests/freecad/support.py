@@ -99,6 +99,15 @@ def saved(document):
     return path
 
 
+def raises(kind, action):
+    """The exception an action fails with."""
+    try:
+        action()
+    except kind as error:
+        return error
+    raise AssertionError(f"{kind.__name__} expected")
+
+
 def run_all(names):
     """Calls every function defined by a test script, each on its own; the process ends with 1 where one fails."""
     failed = 0

@@ -4,17 +4,17 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Optional
+from typing import Optional
 
 import FreeCAD as App
 
-from .. import exchange, subelements
+from .. import subelements
 from ..blend_request import BlendRequest
 from ..features import blend_properties as properties
 from ..features.blend_feature import BlendFeature
 from ..features.blend_sides import NO_SIDE, BlendSides, Pair, Side
 from ..features.links import Link, links_of
-from ..features.placement import container_for_results, container_of, placement_of
+from ..features.placement import container_for_results, container_of
 from .blend_chains import BlendChains
 from .blend_command import blend_command
 from .commands import make_as_one_step, run_as_one_step
@@ -66,10 +66,6 @@ class BlendSession(GuidedSession):
         return container_for_results(first.objects[0]) if first else None
 
     @property
-    def placement(self) -> App.Placement:
-        return placement_of(self.container)
-
-    @property
     def loop(self) -> list[dict]:
         """The edges of both sides."""
         return self.loops[FROM] + self.loops[TO]
@@ -119,10 +115,6 @@ class BlendSession(GuidedSession):
     def set_curve(self, position: int, links: list[Link]) -> None:
         """What a side is set back to, [(object, [names])]: the whole object where there are no names."""
         self.curves[position] = links_of(links)
-
-    def change(self, **changes: Any) -> None:
-        """Other choices, by the names of BlendRequest."""
-        self.request = dataclasses.replace(self.request, **changes)
 
     def set_continuity(self, word: str, edge: Optional[int] = None) -> None:
         """Of one edge of the whole shape, or of all."""

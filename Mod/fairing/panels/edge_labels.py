@@ -8,6 +8,7 @@ from typing import Callable
 
 from pivy import coin
 
+from .scene_annotation import SceneAnnotation
 from .scene_mouse import SceneMouse
 from .viewers import viewport_of
 
@@ -23,27 +24,21 @@ class Label:
     color: tuple[float, float, float]
 
 
-class EdgeLabels:
+class EdgeLabels(SceneAnnotation):
     """Boxes of constant size that take clicks; everything else in the view works as always.
 
     on_click(edge, with_shift) when one is clicked, on_hover(edge) when the mouse comes over one.
     """
 
     def __init__(self, mouse: SceneMouse, on_click: Callable[[int, bool], None], on_hover: Callable[[int], None]):
-        self._mouse, self._on_click, self._on_hover = mouse, on_click, on_hover
-        view = self._view = mouse.view
-        self._root = coin.SoAnnotation()
+        super().__init__(mouse)
+        self._on_click, self._on_hover = on_click, on_hover
         self._transform = coin.SoTransform()
         self._root.addChild(self._transform)
         self._labels: list[Label] = []
         self._boxes: dict[int, coin.SoSeparator] = {}
         self._pressed = self._hovered = 0
-        # removal goes by identity
-        self._callbacks = ((coin.SoMouseButtonEvent.getClassTypeId(), self._button),
-                           (coin.SoLocation2Event.getClassTypeId(), self._moved))
-        view.getSceneGraph().addChild(self._root)
-        for kind, callback in self._callbacks:
-            view.addEventCallbackPivy(kind, callback)
+        self.start()
 
     def place(self, placement) -> None:
         """From the coordinates of the labels to the document's."""
@@ -59,18 +54,6 @@ class EdgeLabels:
         self._boxes = {label.edge: _box(label) for label in labels}
         for box in self._boxes.values():
             self._root.addChild(box)
-
-    def remove(self) -> None:
-        if self._root is None:
-            return
-        try:
-            self._mouse.want(self, False)
-            for kind, callback in self._callbacks:
-                self._view.removeEventCallbackPivy(kind, callback)
-            self._view.getSceneGraph().removeChild(self._root)
-        except RuntimeError:  # the view has been closed
-            pass
-        self._root = None
 
     def _moved(self, node) -> None:
         edge = self._edge_under(node.getEvent())

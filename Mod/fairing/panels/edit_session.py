@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-from typing import Any
 
 import FreeCAD as App
 
@@ -12,9 +10,9 @@ from .. import exchange
 from ..edit_request import EditRequest
 from ..features.edit_feature import NO_FACE, EditFeature, face_number
 from ..features.edit_properties import read_request
-from ..features.placement import container_for_results, container_of, placement_of, shape_in
+from ..features.placement import shape_in
 from .commands import make_as_one_step, object_command, run_as_one_step
-from .guided_session import MESH_POINTS, GuidedSession
+from .guided_session import GuidedSession
 
 LINE_POINTS = 65  # of an edge
 
@@ -40,17 +38,6 @@ class EditSession(GuidedSession):
         return session
 
     @property
-    def container(self):
-        """Where the result lives, and in whose coordinates everything here is."""
-        if self.obj:
-            return container_of(self.obj)
-        return container_for_results(self.base) if self.base else None
-
-    @property
-    def placement(self) -> App.Placement:
-        return placement_of(self.container)
-
-    @property
     def name(self) -> str:
         """Of the face, as people read it."""
         return f"{self.base.Label}: Face{self.request.face}" if self.base else ""
@@ -61,20 +48,6 @@ class EditSession(GuidedSession):
         self._use(base)
         if self.obj is None:
             self.change(result="base" if len(shape_in(None, base).Faces) > 1 else "patches")
-
-    def change(self, **changes: Any) -> None:
-        """Other choices, by the names of EditRequest."""
-        self.request = dataclasses.replace(self.request, **changes)
-
-    def job(self):
-        """What a background thread computes: the native Edit and its mesh. Touches plain data only."""
-        request, brep = self.request, self._brep
-
-        def solve(_progress):
-            edit = request.solve(brep)
-            return edit, edit.mesh(MESH_POINTS)
-
-        return solve
 
     def commit(self) -> None:
         """Writes the edit into the document as one step to undo, by commands the macro recorder understands."""

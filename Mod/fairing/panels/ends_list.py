@@ -12,10 +12,7 @@ from ..features.links import links_of
 from ..translation import translate
 from . import status
 from .quantities import length_text
-
-LARGEST_HEIGHT = 4  # rows shown without scrolling
-ROW_HEIGHT = 20  # pixels
-FRAME = 4
+from .row_list import show_rows, without_chosen
 
 
 class EndsList(QtCore.QObject):
@@ -42,16 +39,13 @@ class EndsList(QtCore.QObject):
     def show(self, report: Optional[dict] = None) -> None:
         """The list, with what was measured where a report is given."""
         ui, rows = self._ui, self._rows()
-        ui.endsList.clear()
+        shown = []
         for obj, name in rows:
             side = self._session.measured_end(obj, name, report) if report else None
             text = f"{obj.Label}: {name}"
-            item = QtGui.QListWidgetItem(f"{text}   {length_text(side['gap']['max'])}" if side else text)
-            item.setSizeHint(QtCore.QSize(0, ROW_HEIGHT))
-            item.setIcon(QtGui.QIcon(status.of_side(side, report).pixmap(14)))
-            ui.endsList.addItem(item)
-        ui.endsList.setVisible(bool(rows))
-        ui.endsList.setFixedHeight(FRAME + ROW_HEIGHT * min(len(rows), LARGEST_HEIGHT))
+            shown.append((f"{text}   {length_text(side['gap']['max'])}" if side else text,
+                          QtGui.QIcon(status.of_side(side, report).pixmap(14))))
+        show_rows(ui.endsList, shown)
         ui.endsRemoveButton.setEnabled(bool(rows))
 
     def _rows(self) -> list[tuple[App.DocumentObject, str]]:
@@ -59,8 +53,7 @@ class EndsList(QtCore.QObject):
 
     def _remove(self) -> None:
         """The chosen ones, or all where none is chosen."""
-        chosen = {index.row() for index in self._ui.endsList.selectedIndexes()}
-        self._change([(obj, [name]) for row, (obj, name) in enumerate(self._rows()) if chosen and row not in chosen])
+        self._change([(obj, [name]) for obj, name in without_chosen(self._ui.endsList, self._rows())])
 
     def _change(self, ends) -> None:
         self._session.ends = links_of(ends)

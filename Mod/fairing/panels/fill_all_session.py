@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import FreeCAD as App
@@ -12,7 +11,7 @@ import numpy as np
 from .. import exchange, subelements
 from ..features.fill_all_feature import NO_BASE
 from ..features.fill_all_properties import read_request
-from ..features.placement import container_for_results, container_of, placement_of, shape_in
+from ..features.placement import shape_in
 from ..fill_all_request import FillAllRequest
 from .commands import object_command, run_as_one_step
 from .guided_session import GuidedSession
@@ -43,17 +42,6 @@ class FillAllSession(GuidedSession):
         session._read_guidance(obj)
         return session
 
-    @property
-    def container(self):
-        """Where the result lives, and in whose coordinates everything here is."""
-        if self.obj:
-            return container_of(self.obj)
-        return container_for_results(self.base) if self.base else None
-
-    @property
-    def placement(self) -> App.Placement:
-        return placement_of(self.container)
-
     def use_base(self, base: App.DocumentObject) -> None:
         """Whose holes are filled. What was left out on another object is forgotten."""
         if self.base is not None and base is not self.base:
@@ -67,8 +55,7 @@ class FillAllSession(GuidedSession):
         self.find_holes()
 
     def change(self, **changes: Any) -> None:
-        """Other choices, by the names of FillAllRequest."""
-        self.request = dataclasses.replace(self.request, **changes)
+        super().change(**changes)
         if "outer_borders" in changes:
             self.find_holes()
 

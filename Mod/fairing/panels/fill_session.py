@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Optional
+from typing import Optional
 
 import FreeCAD as App
 
@@ -12,10 +12,10 @@ from .. import exchange, subelements
 from ..features import links
 from ..features.fill_feature import NOTHING_PICKED, FillFeature
 from ..features.fill_properties import read_request
-from ..features.placement import container_for_results, container_of, placement_of, shape_in
+from ..features.placement import shape_in
 from ..fill_request import FillRequest
 from .commands import link_command, make_as_one_step, object_command, run_as_one_step
-from .guided_session import MESH_POINTS, GuidedSession
+from .guided_session import GuidedSession
 
 
 class FillSession(GuidedSession):
@@ -41,17 +41,6 @@ class FillSession(GuidedSession):
         session.find_loop()
         return session
 
-    @property
-    def container(self):
-        """Where the result lives, and in whose coordinates everything here is."""
-        if self.obj:
-            return container_of(self.obj)
-        return container_for_results(self.base) if self.base else None
-
-    @property
-    def placement(self) -> App.Placement:
-        return placement_of(self.container)
-
     def pick(self, base: App.DocumentObject, names) -> None:
         """Adds picks. Those on another object, on another hole, or a face, start a new hole."""
         names = list(names)
@@ -68,10 +57,6 @@ class FillSession(GuidedSession):
         self.base, self.loop, self.problem = None, [], NOTHING_PICKED
         self.request = dataclasses.replace(self.request, edges=(), faces=(), edge_continuity=(), tangents=(),
                                            symmetry=())
-
-    def change(self, **changes: Any) -> None:
-        """Other choices, by the names of FillRequest."""
-        self.request = dataclasses.replace(self.request, **changes)
 
     def set_continuity(self, word: str, edge: Optional[int] = None) -> None:
         """Of one edge, or of all."""
@@ -104,16 +89,6 @@ class FillSession(GuidedSession):
             self.loop = self._shape.boundary(**self.request.loop_arguments())
         except ValueError as error:
             self.problem = str(error)
-
-    def job(self):
-        """What a background thread computes: the native Fill and its mesh. Touches plain data only."""
-        request, brep = self.request, self._brep
-
-        def solve(progress):
-            fill = request.solve(brep, progress)
-            return fill, fill.mesh(MESH_POINTS)
-
-        return solve
 
     def commit(self) -> None:
         """Writes the fill into the document as one step to undo, by commands the macro recorder understands."""

@@ -11,10 +11,8 @@ from PySide import QtCore, QtGui
 from .. import paths
 from ..features.guides import FeatureCurve, Guide, NormalHandle
 from ..translation import translate
+from .row_list import show_rows
 
-LARGEST_HEIGHT = 4  # rows shown without scrolling
-ROW_HEIGHT = 20  # pixels
-FRAME = 4
 ICONS = {NormalHandle: "Fairing_NormalHandle.svg", FeatureCurve: "Fairing_FeatureCurve.svg"}
 REFERENCE_ICON = "Fairing.svg"
 
@@ -46,15 +44,9 @@ class GuideList(QtCore.QObject):
         texts = [(ICONS[type(guide)], text_of(guide, at)) for at, guide in enumerate(guides)]
         texts += [(REFERENCE_ICON, _part_text(*part)) for part in self._parts()]
         rows.blockSignals(True)
-        rows.clear()
-        for image, text in texts:
-            item = QtGui.QListWidgetItem(QtGui.QIcon(paths.icon(image)), text)
-            item.setSizeHint(QtCore.QSize(0, ROW_HEIGHT))
-            rows.addItem(item)
+        show_rows(rows, [(text, QtGui.QIcon(paths.icon(image))) for image, text in texts])
         rows.setCurrentRow(row if row < len(texts) else -1)
         rows.blockSignals(False)
-        rows.setVisible(bool(texts))
-        rows.setFixedHeight(FRAME + ROW_HEIGHT * min(len(texts), LARGEST_HEIGHT))
         self._selected()
 
     def rename(self, position: int) -> None:

@@ -5,25 +5,53 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from typing import Any
 
 import FreeCAD as App
 
 from ..features import guide_objects, links
 from ..features.guides import FeatureCurve, Guide, guides_of, merged_text, script_of
+from ..features.placement import container_for_results, container_of, placement_of
 from .commands import link_command
 
 MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn within a frame
 
 
 class GuidedSession:
-    """Mixed into sessions that have a `request`, a `container` and change(). `reference` holds links, `guides` handles
-    and curves, both in the container's coordinates."""
+    """What sessions have in common: a `document`, a `request`, the `obj` that is changed or None, and the `base` that
+    the surface is made on. `reference` holds links, `guides` handles and curves, both in the container's
+    coordinates."""
 
     def __init__(self):
         self.reference: list[links.Link] = []
         self.guides: tuple[Guide, ...] = ()
         self._natives: dict[Guide, dict] = {}  # a dragged handle leaves the others as they are
         self._followed = None  # what a native result was asked last, and by what
+
+    @property
+    def container(self):
+        """Where the result lives, and in whose coordinates everything here is."""
+        if self.obj:
+            return container_of(self.obj)
+        return container_for_results(self.base) if self.base else None
+
+    @property
+    def placement(self) -> App.Placement:
+        return placement_of(self.container)
+
+    def change(self, **changes: Any) -> None:
+        """Other choices, by the names of the request's members."""
+        self.request = dataclasses.replace(self.request, **changes)
+
+    def job(self):
+        """What a background thread computes: the native result and its mesh. Touches plain data only."""
+        request, brep = self.request, self._brep
+
+        def solve(progress):
+            made = request.solve(brep, progress)
+            return made, made.mesh(MESH_POINTS)
+
+        return solve
 
     def set_reference(self, reference) -> None:
         """[(object, [names])]. Raises ValueError where one holds nothing that guides, and then all is as before."""

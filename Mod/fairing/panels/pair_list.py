@@ -11,10 +11,7 @@ from PySide import QtCore
 from .. import selection, subelements
 from ..features.joined_shapes import Place
 from ..translation import translate
-
-LARGEST_HEIGHT = 4  # rows shown without scrolling
-ROW_HEIGHT = 20  # pixels
-FRAME = 4
+from .row_list import show_rows, without_chosen
 
 
 class PairList(QtCore.QObject):
@@ -54,20 +51,13 @@ class PairList(QtCore.QObject):
 
     def show(self) -> None:
         ui, pairs = self._ui, self._session.pairs
-        ui.pairList.clear()
-        for pair in pairs:
-            ui.pairList.addItem(" \u2013 ".join(f"{obj.Label}.Vertex{number}" for obj, number in pair))
-        for row in range(len(pairs)):
-            ui.pairList.item(row).setSizeHint(QtCore.QSize(0, ROW_HEIGHT))
-        ui.pairList.setVisible(bool(pairs))
-        ui.pairList.setFixedHeight(FRAME + ROW_HEIGHT * min(len(pairs), LARGEST_HEIGHT))
+        show_rows(ui.pairList, [(" \u2013 ".join(f"{obj.Label}.Vertex{number}" for obj, number in pair), None)
+                                for pair in pairs])
         ui.pairRemoveButton.setEnabled(bool(pairs))
 
     def _remove(self) -> None:
         """The chosen ones, or all where none is chosen."""
-        chosen = {index.row() for index in self._ui.pairList.selectedIndexes()}
-        self._session.pairs = tuple(pair for row, pair in enumerate(self._session.pairs)
-                                    if chosen and row not in chosen)
+        self._session.pairs = tuple(without_chosen(self._ui.pairList, self._session.pairs))
         self.changed.emit()
 
     def _start(self, *_) -> None:

@@ -7,19 +7,19 @@ from __future__ import annotations
 import FreeCADGui as Gui
 from pivy import coin
 
+from .scene_annotation import SceneAnnotation
 from .scene_mouse import SceneMouse
 
 NOTHING = -1
 
 
-class SceneHandles:
+class SceneHandles(SceneAnnotation):
     """Arrows drawn above everything else, of which one at a time is grabbed; all other clicks do what they always do.
     Subclasses say what lies under the mouse and what dragging it does; an arrow has root, light(lit) and
     scale(mouse), which is called before it is drawn."""
 
     def __init__(self, mouse: SceneMouse):
-        self._mouse, self._view = mouse, mouse.view
-        self._root = coin.SoAnnotation()
+        super().__init__(mouse)
         self._arrows: list = []
         self._lit = self._dragged = NOTHING
         self._holds = False  # the mouse, until it is released
@@ -27,12 +27,7 @@ class SceneHandles:
         self._rescale = self._scale  # Coin keeps no reference
         scaling.setCallback(self._rescale, None)
         self._root.addChild(scaling)
-        # removal goes by identity
-        self._callbacks = ((coin.SoMouseButtonEvent.getClassTypeId(), self._button),
-                           (coin.SoLocation2Event.getClassTypeId(), self._moved))
-        self._view.getSceneGraph().addChild(self._root)
-        for kind, callback in self._callbacks:
-            self._view.addEventCallbackPivy(kind, callback)
+        self.start()
 
     # --- subclasses ---
 
@@ -55,18 +50,6 @@ class SceneHandles:
     @property
     def is_dragged(self) -> bool:
         return self._dragged != NOTHING
-
-    def remove(self) -> None:
-        if self._root is None:
-            return
-        try:
-            self._mouse.want(self, False)
-            for kind, callback in self._callbacks:
-                self._view.removeEventCallbackPivy(kind, callback)
-            self._view.getSceneGraph().removeChild(self._root)
-        except RuntimeError:  # the view has been closed
-            pass
-        self._root = None
 
     def _make(self, count: int, make) -> None:
         """So many arrows, made anew where there are more or fewer."""

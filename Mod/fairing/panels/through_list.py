@@ -13,10 +13,9 @@ from ..translation import translate
 from . import status
 from .fill_session import FillSession
 from .quantities import length_text
+from .row_list import show_rows, without_chosen
 
 LARGEST_HEIGHT = 3  # rows shown without scrolling
-ROW_HEIGHT = 20  # pixels
-FRAME = 4
 
 
 class ThroughList(QtCore.QObject):
@@ -49,20 +48,15 @@ class ThroughList(QtCore.QObject):
         ui.throughButton.setEnabled(enabled)
         shown = self._rows()
         inner = report["inner"] if report and len(report["inner"]) == len(shown) else None
-        ui.throughList.clear()
+        rows = []
         for position, (obj, name) in enumerate(shown):
-            text = f"{obj.Label}: {name}" if name else obj.Label
-            item = QtGui.QListWidgetItem(text)
-            sign = status.Status.UNKNOWN
+            text, sign = f"{obj.Label}: {name}" if name else obj.Label, status.Status.UNKNOWN
             if inner:
                 gap = inner[position]["gap"]["max"]
-                item.setText(f"{text}   {length_text(gap)}")
+                text += f"   {length_text(gap)}"
                 sign = status.Status.GOOD if gap <= report["limits"]["gap"] else status.Status.BAD
-            item.setSizeHint(QtCore.QSize(0, ROW_HEIGHT))
-            item.setIcon(QtGui.QIcon(sign.pixmap(14)))
-            ui.throughList.addItem(item)
-        ui.throughList.setVisible(bool(shown))
-        ui.throughList.setFixedHeight(FRAME + ROW_HEIGHT * min(len(shown), LARGEST_HEIGHT))
+            rows.append((text, QtGui.QIcon(sign.pixmap(14))))
+        show_rows(ui.throughList, rows, LARGEST_HEIGHT)
         ui.throughRemoveButton.setEnabled(bool(shown))
 
     def _rows(self) -> list[tuple[App.DocumentObject, str]]:
@@ -70,8 +64,7 @@ class ThroughList(QtCore.QObject):
         return [(obj, name) for obj, names in self._session.through for name in (names or [""])]
 
     def _remove(self) -> None:
-        chosen = {index.row() for index in self._ui.throughList.selectedIndexes()}
-        kept = [row for number, row in enumerate(self._rows()) if chosen and number not in chosen]
+        kept = without_chosen(self._ui.throughList, self._rows())
         self._change([(obj, [name] if name else []) for obj, name in kept])
 
     def _change(self, through) -> bool:
