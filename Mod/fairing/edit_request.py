@@ -39,8 +39,8 @@ class EditRequest:
         return {**given, "guide": json.loads(self.guide)}
 
     def solve(self, brep: bytes, progress=None):
-        """The native Edit of this request on a shape given as BREP text. One solve, so there is no progress to tell.
+        """The native Edit of this request on a shape given as BREP text.
 
         May be called from any thread; the GIL is released while solving. Raises FairingError or NativeModuleError.
         """
-        return SOLVED.get_or_make(brep, self, lambda: native.module().Shape(brep).edit(**self.arguments()))
+        return SOLVED.get_or_make(brep, self, lambda: native.module().Shape(brep).edit(**self.arguments(), progress=progress))

@@ -143,9 +143,7 @@ Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach) {
   if (const auto error = validate(BlendOptions{.reach = reach})) return fail(*error);
   auto fill = blend.natural->reaching(reach);
   if (!fill) return fail(fill.error());
-  auto shape = refaced(blend, std::move(*fill));
-  if (!shape) return fail(shape.error());
-  return ShapeBlend{std::move(*shape), blend.natural, reach};
+  return ShapeBlend{preview(blend, std::move(*fill)), blend.natural, reach};
 }
 
 }  // namespace fairing::occt

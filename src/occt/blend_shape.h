@@ -25,8 +25,8 @@ struct ShapeBlend : ShapeFill {
                                             ResultMode mode,
                                             Progress* progress = nullptr);
 
-/// The same blend with other reaches, its faces alone. Of a strip: one solve, for previews that
-/// follow a slider. By one thread at a time. Fails with ReachNotPositive and the codes of
+/// The same blend with other reaches, as a preview. Of a strip: one solve, so that it follows a
+/// slider. By one thread at a time. Fails with ReachNotPositive and the codes of
 /// blendChains() and blendRing().
 [[nodiscard]] Result<ShapeBlend> reaching(const ShapeBlend& blend, const Reach& reach);
 

@@ -109,9 +109,9 @@ Result<ShapeEdit> FaceEdit::under(const energy::Guidance& guidance, bool lookUp)
   return guarded([&] { return faced(edit_.under(guidance, lookUp)); });
 }
 
-Result<ShapeEdit> FaceEdit::settled(const energy::Guidance& guidance) {
+Result<ShapeEdit> FaceEdit::settled(const energy::Guidance& guidance, Progress* progress) {
   guidance_ = guidance;
-  return guarded([&] { return faced(edit_.settled(guidance)); });
+  return guarded([&] { return faced(edit_.settled(guidance, progress)); });
 }
 
 Result<ShapeEdit> FaceEdit::faced(Result<EditResult> edit) const {
@@ -130,11 +130,12 @@ Result<ShapeEdit> FaceEdit::faced(Result<EditResult> edit) const {
 Result<ShapeEdit> editFace(const ShapeIndex& index,
                            int number,
                            const EditOptions& options,
-                           ResultMode mode) {
+                           ResultMode mode,
+                           Progress* progress) {
   auto made = FaceEdit::make(index, number, options);
   if (!made) return fail(made.error());
   const auto live = std::make_shared<FaceEdit>(std::move(*made));
-  auto edit = live->settled(options.guidance);
+  auto edit = live->settled(options.guidance, progress);
   if (!edit) return edit;
   const double gap = edit->edit.report.borderMove + live->deviation();
   auto shape = joinResult(index, {number}, {{edit->face, {}, gap}}, mode);

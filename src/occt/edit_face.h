@@ -33,7 +33,9 @@ class FaceEdit {
   /// codes of SurfaceEdit::under().
   [[nodiscard]] Result<ShapeEdit> under(const energy::Guidance& guidance, bool lookUp);
   /// The same, looked up again until that stands still.
-  [[nodiscard]] Result<ShapeEdit> settled(const energy::Guidance& guidance);
+  [[nodiscard]] Result<ShapeEdit> settled(const energy::Guidance& guidance, Progress* progress);
+  /// under() costs one solve.
+  [[nodiscard]] static bool isQuick() { return true; }
   /// What guided last.
   [[nodiscard]] const energy::Guidance& guidance() const { return guidance_; }
   /// How closely the surface stands for that of the face, mm.
@@ -64,7 +66,8 @@ class FaceEdit {
 [[nodiscard]] Result<ShapeEdit> editFace(const ShapeIndex& index,
                                          int face,
                                          const EditOptions& options,
-                                         ResultMode mode = ResultMode::Patches);
+                                         ResultMode mode = ResultMode::Patches,
+                                         Progress* progress = nullptr);
 
 /// The same edit under other guidance: one numeric factorisation, for previews. By one thread at a
 /// time. Fails as FaceEdit::under() does.

@@ -8,11 +8,14 @@
 
 namespace fairing::occt {
 
-Result<ShapeFill> refaced(const ShapeFill& before, FillResult fill) {
+ShapeFill preview(const ShapeFill& before, FillResult fill) {
   addSingularSupports(before.loop, fill.report);
-  const auto faces = makeFaces(fill);
-  if (!faces) return tl::unexpected(faces.error());
-  return ShapeFill{*faces, std::move(fill), before.loop, before.live};
+  return ShapeFill{{}, std::move(fill), before.loop, before.live};
+}
+
+Result<TopoDS_Shape> shapeOf(const ShapeFill& fill) {
+  if (fill.shape.IsNull()) return makeFaces(fill.fill);
+  return fill.shape;
 }
 
 Result<ShapeFill> fillShape(const ShapeIndex& index,

@@ -13,15 +13,18 @@ namespace fairing::occt {
 
 /// A filled hole of a shape.
 struct ShapeFill {
-  TopoDS_Shape shape;  ///< what was asked for: faces, shell or base
+  TopoDS_Shape shape;  ///< what was asked for: faces, shell or base; null in a preview
   FillResult fill;
   boundary::BoundaryLoop loop;
   std::shared_ptr<LiveFill> live = nullptr;  ///< what guiding() moves
 };
 
-/// Another fill of the same hole, its faces alone, with notes on its supports. Fails as makeFaces()
-/// does.
-[[nodiscard]] Result<ShapeFill> refaced(const ShapeFill& before, FillResult fill);
+/// Another fill of the same hole, with notes on its supports, as it is while something is dragged:
+/// faces would take longer than the surface.
+[[nodiscard]] ShapeFill preview(const ShapeFill& before, FillResult fill);
+
+/// What was asked for; of a preview its faces alone, made now. Fails as makeFaces() does.
+[[nodiscard]] Result<TopoDS_Shape> shapeOf(const ShapeFill& fill);
 
 /// The whole way: loop, patches, faces, result. Fails with the codes of readBoundary(), fillHole()
 /// and joinResult().

@@ -7,7 +7,7 @@ namespace fairing::occt {
 Result<ShapeFill> guiding(const ShapeFill& before, const energy::Guidance& guidance, bool lookUp) {
   auto fill = before.live->under(guidance, lookUp);
   if (!fill) return tl::unexpected(fill.error());
-  return refaced(before, std::move(*fill));
+  return preview(before, std::move(*fill));
 }
 
 Result<ShapeBlend> guiding(const ShapeBlend& before,
@@ -19,9 +19,7 @@ Result<ShapeBlend> guiding(const ShapeBlend& before,
   const auto natural = before.natural->guided(guidance, std::move(*guided));
   auto fill = natural->reaching(before.reach);
   if (!fill) return tl::unexpected(fill.error());
-  auto shape = refaced(before, std::move(*fill));
-  if (!shape) return tl::unexpected(shape.error());
-  return ShapeBlend{std::move(*shape), natural, before.reach};
+  return ShapeBlend{preview(before, std::move(*fill)), natural, before.reach};
 }
 
 }  // namespace fairing::occt

@@ -5,9 +5,9 @@
 
 namespace fairing::occt {
 
-/// The same fill under other guidance, its faces alone: one numeric factorisation, for previews
-/// that follow a slider or a handle. Unless `lookUp` asks for it, what guides stays where it was
-/// looked up before. By one thread at a time. Fails as LiveFill::under() and makeFaces() do.
+/// The same fill under other guidance, as a preview: one numeric factorisation, so that it follows
+/// a slider or a handle. Unless `lookUp` asks for it, what guides stays where it was
+/// looked up before. By one thread at a time. Fails as LiveFill::under() does.
 [[nodiscard]] Result<ShapeFill> guiding(const ShapeFill& fill,
                                         const energy::Guidance& guidance,
                                         bool lookUp);

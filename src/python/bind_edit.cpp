@@ -29,7 +29,8 @@ ShapeEdit edit(const ShapeIndex& shape,
                const std::optional<std::string>& keep,
                int degree,
                int spans,
-               const std::string& result) {
+               const std::string& result,
+               Progress* progress) {
   EditOptions options;
   options.energy = choice(text::energyFrom, "energy", energy);
   if (keep) options.keep = choice(text::continuityFrom, "keep", *keep);
@@ -38,7 +39,7 @@ ShapeEdit edit(const ShapeIndex& shape,
   options.spans = spans;
   const occt::ResultMode mode = choice(occt::resultModeFrom, "result", result);
   const py::gil_scoped_release release;
-  return valueOf(occt::editFace(shape, face, options, mode));
+  return finished(occt::editFace(shape, face, options, mode, progress), progress);
 }
 
 py::tuple mesh(const ShapeEdit& edit, int divisions) {
@@ -92,6 +93,7 @@ void bindEdit(py::module_& module, py::class_<ShapeIndex>& shape) {
       py::arg("degree") = 0,
       py::arg("spans") = 0,
       py::arg("result") = "patches",
+      py::arg("progress") = py::none(),
       "Shapes a face anew: of least energy under guidance, its border kept. reference and guide "
       "are those of fill(); without them the face itself guides. keep is G0, G1 or G2 (None: G1, "
       "or G0 for the membrane). result is patches (the face alone), shell or base. The GIL is "

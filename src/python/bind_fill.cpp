@@ -17,7 +17,7 @@ namespace {
 using occt::ShapeFill;
 
 py::bytes brep(const ShapeFill& fill) {
-  return valueOf(occt::bytesFromShape(fill.shape));
+  return valueOf(occt::bytesFromShape(valueOf(occt::shapeOf(fill))));
 }
 
 py::object report(const ShapeFill& fill) {

@@ -45,6 +45,10 @@ void bindGuidance(Class& bound) {
           "The same under other weights, its faces alone: one solve, for previews that follow a "
           "slider or a handle. guide as in fill() (None: what guided before); the reference stays. "
           "By one thread at a time. The GIL is released while solving. Raises FairingError.")
+      .def_property_readonly(
+          "guides_quickly",
+          [](const Shape& shape) { return shape.live->isQuick(); },
+          "Whether guiding() costs one solve; a trimmed face is filled anew.")
       .def(
           "guide_arrows",
           [](const Shape& shape, int count) {

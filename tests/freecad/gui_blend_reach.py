@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 import Part
 
 import gui
+from seen import drawn_points
 
 LONGEST_FRAME = 0.033  # s from a slider's value to triangles, median; what the window's thread computes, so that other
 # processes of a busy machine do not count
@@ -25,11 +26,6 @@ def tube(document, name, radius, bottom, height):
 def rim(obj, z):
     return next(f"Edge{number}" for number, edge in enumerate(obj.Shape.Edges, 1)
                 if edge.BoundBox.ZLength < 1e-6 and abs(edge.BoundBox.ZMin - z) < 1e-6)
-
-
-def drawn_points():
-    """Of the surface in the 3D view."""
-    return panels[-1]._display._preview._surface._points.point.getValues()
 
 
 def tip(side):
@@ -63,10 +59,10 @@ slider.setValue(0)
 gui.wait_for_verdict("Meets all 2 edges")
 
 # Dragged with the mouse it moves the surface; the verdict is that of what is shown.
-before = drawn_points()
+before = drawn_points(panels)
 gui.drag_slider("fromReachSlider", 0.2)
 assert 1.2 < reaches()[0] < 2.5 and reaches()[1] == 1.0
-assert gui.verdict().startswith("Meets all 2 edges") and drawn_points() != before
+assert gui.verdict().startswith("Meets all 2 edges") and drawn_points(panels) != before
 assert "." in gui.widget("fromTable").item(0, 4).text() and "\u00b0" in gui.widget("fromTable").item(0, 4).text()
 gui.settle()
 slid = reaches()[0]
@@ -83,7 +79,7 @@ arrow = panels[-1]._display._handles._arrows[1]
 assert abs((tip(1) - start).z + 3) < 0.5 and abs(reaches()[1] - (1 + 3 / arrow.vector.Length)) < 0.1
 assert view.getCamera() == camera and not Gui.Selection.hasSelection() and reaches()[0] == slid
 gui.settle()
-shown = drawn_points()
+shown = drawn_points(panels)
 gui.press("Ok")
 blend = document.Blend
 assert blend.FromReach == slid and blend.ToReach > middle[0]

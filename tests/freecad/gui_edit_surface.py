@@ -6,16 +6,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 import gui
+from seen import handle_arrow
 
 SIDE = 40.0
 panels = gui.keep_panels()
-
-
-def handle_arrow():
-    """Foot and tip of the handle's arrow."""
-    display = panels[-1]._display
-    arrow = display.guide_handles._arrows[0]
-    return arrow.point, arrow.tip(display._mouse)
 
 
 gui.start()
@@ -47,7 +41,7 @@ gui.wait_for_verdict("25 of 81 control points moved")
 gui.widget("normalButton").click()
 gui.click(view, centre)
 gui.wait_for_verdict("25 of 81")
-foot, tip = handle_arrow()
+foot, tip = handle_arrow(panels)
 assert foot.distanceToPoint(centre) < 1.0
 gui.drag(view, tip, foot + App.Vector(0.5, 0, 0.866) * (tip - foot).Length)
 gui.settle()

@@ -2,45 +2,20 @@
 """A hole whose surface is guided, in the real window: a handle set by a click, dragged and typed, a curve and a reference
 picked, weights slid, all of it live; one step to undo, saved, reopened and edited again."""
 
-import re
-
 import FreeCAD as App
 import FreeCADGui as Gui
 
 import gui
 import support
+from seen import angles_to_guide, drawn_points, guides, handle_arrow
 
 panels = gui.keep_panels()
-
-
-def handle_arrow(number=0):
-    """Foot and tip of a handle's arrow."""
-    display = panels[-1]._display
-    arrow = display.guide_handles._arrows[number]
-    return arrow.point, arrow.tip(display._mouse)
-
-
-def drawn_points():
-    """Of the surface in the 3D view."""
-    return panels[-1]._display._preview._surface._points.point.getValues()
 
 
 def camera():
     """Where it is and how it looks; how far is the renderer's own business."""
     node = view.getCameraNode()
     return node.position.getValue().getValue(), node.orientation.getValue().getValue(), node.height.getValue()
-
-
-def rows():
-    shown = gui.widget("guideList")
-    return [shown.item(row).text() for row in range(shown.count())]
-
-
-def angles():
-    """Rms and largest angle to the guide, as the panel tells them."""
-    found = re.match(r"Follows within ([\d.]+)\S rms, ([\d.]+)\S at most", gui.widget("followLabel").text())
-    assert found, gui.widget("followLabel").text()
-    return float(found[1]), float(found[2])
 
 
 gui.start()
@@ -50,35 +25,35 @@ Gui.Selection.addSelection(document.Name, base.Name, edges[0])
 Gui.runCommand("Fairing_FillHole")
 gui.wait_for_verdict("Meets all 4 edges")
 assert not gui.widget("guideList").isVisible() and not gui.widget("weightsRow").isVisible()
-plain = drawn_points()
+plain = drawn_points(panels)
 middle = App.Vector(*min(plain, key=lambda p: (App.Vector(*p) - App.Vector(0, 7, 61)).Length))
 
 # A click on the surface sets a normal there, and nothing else happens to what lies behind.
 gui.widget("normalButton").click()
 gui.click(view, middle)
 gui.wait_for_verdict("Meets all 4 edges")
-assert len(rows()) == 1 and "Normal" in rows()[0] and not gui.widget("normalButton").isChecked()
+assert len(guides()) == 1 and "Normal" in guides()[0] and not gui.widget("normalButton").isChecked()
 assert gui.widget("lambdaSpin").value() == 100.0 and gui.widget("guideRow").isVisible()
 assert not Gui.Selection.hasSelection() and document.Objects == [base]
-foot, tip = handle_arrow()
+foot, tip = handle_arrow(panels)
 assert foot.distanceToPoint(middle) < 1.0
 gui.picture("20_handle")
 
 # Dragged by its tip the surface follows at once; the weight makes the angles fall.
-still, before, seen = camera(), drawn_points(), []
+still, before, seen = camera(), drawn_points(panels), []
 gui.drag(view, tip, foot + App.Vector(0.45, 0, 0.893) * (tip - foot).Length,
-         at_half=lambda: (seen.append(drawn_points()), gui.picture("21_handle_dragged")))
+         at_half=lambda: (seen.append(drawn_points(panels)), gui.picture("21_handle_dragged")))
 assert camera() == still and not Gui.Selection.hasSelection()
 assert seen[0] != before and gui.widget("xSpin").value() > 0.3
 gui.wait_for_verdict("Meets all 4 edges")
-start = angles()
+start = angles_to_guide()
 gui.widget("lambdaSpin").setValue(1000.0)  # the middle of the slider, where its handle is taken
 gui.wait_for_verdict("Meets all 4 edges")
 gui.settle()  # the panel has its height again
 gui.drag_slider("lambdaSlider", 0.1)
 gui.wait_for_verdict("Meets all 4 edges")
 assert gui.widget("lambdaSpin").value() > 1000.0
-assert angles()[0] < start[0], (start, angles())
+assert angles_to_guide()[0] < start[0], (start, angles_to_guide())
 gui.picture("22_heavier")
 
 # What guides can be seen, and the control points; both follow while a slider moves.
@@ -97,10 +72,10 @@ gui.widget("netCheck").click()
 gui.wait_for_verdict("Meets all 4 edges")
 
 # Moved by its foot, over the surface.
-foot, _ = handle_arrow()
-gui.drag(view, foot, App.Vector(*min(drawn_points(), key=lambda p: (App.Vector(*p) - foot - App.Vector(6, 6, 0)).Length)))
+foot, _ = handle_arrow(panels)
+gui.drag(view, foot, App.Vector(*min(drawn_points(panels), key=lambda p: (App.Vector(*p) - foot - App.Vector(6, 6, 0)).Length)))
 gui.wait_for_verdict("Meets all 4 edges")
-assert 2.0 < handle_arrow()[0].distanceToPoint(foot) < 12.0
+assert 2.0 < handle_arrow(panels)[0].distanceToPoint(foot) < 12.0
 
 # Typed: direction, weight, radius. A zero normal is told.
 gui.widget("xSpin").setValue(0.4)
@@ -109,7 +84,7 @@ gui.widget("zSpin").setValue(1.0)
 gui.widget("weightSpin").setValue(2.0)
 gui.type_into("radiusSpin", "25 mm")
 gui.wait_for_verdict("Meets all 4 edges")
-assert rows()[0].endswith("(0.37, 0.00, 0.93)"), rows()
+assert guides()[0].endswith("(0.37, 0.00, 0.93)"), guides()
 gui.widget("xSpin").setValue(0.0)
 gui.widget("zSpin").setValue(0.0)
 gui.wait_for_verdict("The guide given: normal 1 is wrong, its normal is zero")
@@ -144,16 +119,16 @@ raised.Placement = App.Placement(App.Vector(0, 0, 5), App.Rotation())
 document.recompute()
 Gui.ActiveDocument.setEdit("Fill")
 gui.wait_for_verdict("Meets all 4 edges")
-assert len(rows()) == 1
+assert len(guides()) == 1
 gui.widget("referenceButton").click()
 Gui.Selection.addSelection(document.Name, "Raised", "Face1")
-gui.wait_for(lambda: len(rows()) == 2, "the reference to be taken")
+gui.wait_for(lambda: len(guides()) == 2, "the reference to be taken")
 gui.wait_for_verdict("Meets all 4 edges")
-assert rows()[1] == "Raised: Face1" and gui.widget("gammaSlider").isEnabled()
+assert guides()[1] == "Raised: Face1" and gui.widget("gammaSlider").isEnabled()
 gui.widget("guideList").setCurrentRow(0)
 gui.widget("directionButton").click()
 Gui.Selection.addSelection(document.Name, "Raised", "Face1")
-gui.wait_for(lambda: "Normal from Raised: Face1" in rows()[0], "the direction to be taken")
+gui.wait_for(lambda: "Normal from Raised: Face1" in guides()[0], "the direction to be taken")
 gui.wait_for_verdict("Meets all 4 edges")
 gui.widget("gammaSpin").setValue(1000.0)
 gui.wait_for_verdict("Meets all 4 edges")
@@ -169,7 +144,7 @@ gui.wait_for_verdict("Meets all 4 edges")
 gui.widget("guideList").setCurrentRow(0)
 gui.widget("guideRemoveButton").click()
 gui.wait_for_verdict("Meets all 4 edges")
-assert rows() == ["Raised: Face1"]
+assert guides() == ["Raised: Face1"]
 gui.press("Ok")
 gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 assert fill.Guides == [] and len(document.UndoNames) == steps + 1
@@ -182,8 +157,8 @@ Gui.ActiveDocument.setEdit("Fill")
 gui.wait_for_verdict("Meets all 4 edges")
 gui.widget("curveButton").click()
 Gui.Selection.addSelection(document.Name, "Line", "Edge1")
-gui.wait_for(lambda: len(rows()) == 2, "the curve to be taken")
-assert "Along Line: Edge1" in rows()[0], rows()
+gui.wait_for(lambda: len(guides()) == 2, "the curve to be taken")
+assert "Along Line: Edge1" in guides()[0], guides()
 gui.widget("directionButton").click()
 Gui.Selection.addSelection(document.Name, "Raised", "Face1")
 gui.wait_for(lambda: not gui.widget("directionButton").isChecked(), "the face to be taken")
@@ -193,4 +168,14 @@ gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 curve, = fill.Guides
 assert curve.Faces == [(raised, ("Face1",))] and len(curve.Points) > 1 and fill.isValid()
 gui.picture("26_curve")
+
+# Deleted, it takes along what guides nothing else; undone, both are back.
+name = curve.Name
+Gui.Selection.clearSelection()
+Gui.Selection.addSelection(fill)
+Gui.runCommand("Std_Delete")
+gui.wait_for(lambda: document.getObject("Fill") is None, "the fill to be deleted")
+assert document.getObject(name) is None and document.getObject("Line") and document.getObject("Raised")
+document.undo()
+assert [guide.Name for guide in document.Fill.Guides] == [name] and document.Fill.isValid()
 print("passed")

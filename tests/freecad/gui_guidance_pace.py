@@ -11,6 +11,7 @@ import FreeCADGui as Gui
 import Part
 
 import gui
+from seen import drawn_points
 
 SIDE = 40.0
 POSITIONS = range(150, 450, 4)  # of the slider: weights from 10 to 100 000
@@ -32,10 +33,6 @@ def pentagon():
     return sheet(9, 3 * SIDE).cut(Part.Face(Part.makePolygon(corners)).extrude(App.Vector(0, 0, 120)))
 
 
-def drawn_points():
-    return panels[-1]._display._preview._surface._points.point.getValues()
-
-
 def pace(what):
     """Moves the slider and prints how long each value takes: of this thread, which other work of the machine does not
     count in, and on the clock."""
@@ -47,7 +44,7 @@ def pace(what):
         slider.setValue(position)
         spent.append(1e3 * (time.thread_time() - before))
         clock.append(1e3 * (time.monotonic() - began))
-        shown.append(drawn_points()[len(drawn_points()) // 3].getValue())
+        shown.append(drawn_points(panels)[len(drawn_points(panels)) // 3].getValue())
     assert len(set(shown)) > 0.9 * len(shown), "every value is shown"
     print(f"{what}, {len(nets)} patches of {', '.join(sizes)} control points, slider to triangles: median "
           f"{statistics.median(spent):.1f} ms, longest {max(spent):.1f} ms; on the clock {statistics.median(clock):.1f} "
@@ -86,7 +83,7 @@ view = gui.look_at_all()
 gui.select(document, (base, name))
 Gui.runCommand("Fairing_FillHole")
 gui.settle()
-points = [App.Vector(*point) for point in drawn_points()]
+points = [App.Vector(*point) for point in drawn_points(panels)]
 first_handle(view, min(points, key=lambda point: math.hypot(point.x - 5, point.y)))
 pace("a star")
 gui.settle()

@@ -136,6 +136,7 @@ def test_guided_blends_keep_their_reach():
         lower, upper, from_reach=1.5, lambda_=10.0, guide=[{"point": [5, 0, 15], "normal": [1, 0, 0.5], "radius": 4.0}])
     moved = blend.guiding(10.0, 0.0)
     assert exchange.part_shape(moved.brep()).Area == pytest.approx(exchange.part_shape(blend.brep()).Area, rel=1e-3)
+    assert moved.report["guidance"]["rms_angle"] == pytest.approx(blend.report["guidance"]["rms_angle"], rel=0.05)
 
 
 def test_scripts_guide_blends():

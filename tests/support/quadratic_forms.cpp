@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "support/quadratic_forms.h"
 
+#include <cmath>
 #include <numeric>
 
 #include "core/spline/quadrature.h"
@@ -45,6 +46,47 @@ double thinPlateEnergy(const spline::BsplineSurface& surface) {
            const spline::SurfaceJet r = surface.jet(u, v);
            return r.uu.squaredNorm() + 2.0 * r.uv.squaredNorm() + r.vv.squaredNorm();
          });
+}
+
+double guidedIntegrand(const spline::SurfaceJet& r,
+                       const Eigen::Vector3d& n,
+                       const Eigen::Vector3d& s,
+                       double lambda,
+                       double gamma) {
+  const double tilt = std::pow(r.u.dot(n), 2) + std::pow(r.v.dot(n), 2);
+  return lambda * tilt + gamma * (r.point - s).squaredNorm();
+}
+
+energy::Guidance discreteGuidance(Random& random, double lambda, double gamma) {
+  energy::DiscreteGuidance grid;
+  grid.n = 4;
+  grid.m = 3;
+  const Eigen::Index count = (grid.n + 1) * (grid.m + 1);
+  grid.points = randomMatrix(random, count, 3);
+  grid.normals = randomMatrix(random, count, 3).rowwise().normalized();
+  grid.lambda = randomMatrix(random, count, 1).cwiseAbs();
+  grid.gamma = randomMatrix(random, count, 1).cwiseAbs();
+  energy::Guidance guidance;
+  guidance.lambda = lambda;
+  guidance.gamma = gamma;
+  guidance.discrete = grid;
+  return guidance;
+}
+
+double discreteEnergy(const spline::BsplineSurface& patch, const energy::Guidance& guidance) {
+  const energy::DiscreteGuidance& grid = *guidance.discrete;
+  double sum = 0.0;
+  for (int i = 0; i <= grid.n; ++i)
+    for (int j = 0; j <= grid.m; ++j) {
+      const Eigen::Index k = i * (grid.m + 1) + j;
+      const auto jet = patch.jet(patch.u.last() * i / grid.n, patch.v.last() * j / grid.m);
+      sum += guidedIntegrand(jet,
+                             grid.normals.row(k),
+                             grid.points.row(k),
+                             guidance.lambda * grid.lambda[k],
+                             guidance.gamma * grid.gamma[k]);
+    }
+  return 0.5 * sum * patch.u.last() * patch.v.last() / ((grid.n + 1) * (grid.m + 1));
 }
 
 Eigen::VectorXd flattened(const spline::Poles& poles) {

@@ -7,6 +7,7 @@
 #include "core/layout/patch_layout.h"
 #include "core/solver/quadratic_program.h"
 #include "core/spline/bspline_surface.h"
+#include "support/random_splines.h"
 
 namespace fairing::testing {
 
@@ -26,6 +27,19 @@ namespace fairing::testing {
 /// numerically: the oracle of the assembled matrices.
 [[nodiscard]] double membraneEnergy(const spline::BsplineSurface& surface);
 [[nodiscard]] double thinPlateEnergy(const spline::BsplineSurface& surface);
+
+/// lambda [(R_u . N)^2 + (R_v . N)^2] + gamma (R - S)^2, [WuYang2015] eq. 1.
+[[nodiscard]] double guidedIntegrand(const spline::SurfaceJet& r,
+                                     const Eigen::Vector3d& n,
+                                     const Eigen::Vector3d& s,
+                                     double lambda,
+                                     double gamma);
+/// A field of random unit normals, points and weights on a grid of 5 x 4 samples.
+[[nodiscard]] energy::Guidance discreteGuidance(Random& random, double lambda, double gamma);
+/// What a field on a grid adds to the energy of a patch over [0, a] x [0, b], [WuYang2015] eq. 5:
+/// every sample weighs its share of the domain's area.
+[[nodiscard]] double discreteEnergy(const spline::BsplineSurface& patch,
+                                    const energy::Guidance& guidance);
 
 /// The poles flattened as the solver numbers them, and back.
 [[nodiscard]] Eigen::VectorXd flattened(const spline::Poles& poles);

@@ -139,9 +139,14 @@ def write(obj: App.DocumentObject, guides: Iterable[Guide]) -> None:
         return
     items = [_written(obj, guide, known.get(guide.name)) for guide in guides]
     obj.Guides = items
-    for name, item in known.items():
-        if item not in items and not item.InList:
-            obj.Document.removeObject(name)
+    remove((item for item in known.values() if item not in items), obj)
+
+
+def remove(items: Iterable[App.DocumentObject], surface: App.DocumentObject) -> None:
+    """Takes away the guides that nothing but a surface makes use of."""
+    for item in items:
+        if all(user in (surface, container_of(item)) for user in item.InList):
+            item.Document.removeObject(item.Name)
 
 
 def _written(surface: App.DocumentObject, guide: Guide, item: Optional[App.DocumentObject]) -> App.DocumentObject:

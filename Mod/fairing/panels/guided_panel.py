@@ -4,6 +4,8 @@ follows at once."""
 
 from __future__ import annotations
 
+import time
+
 import FreeCADGui as Gui
 
 from .. import paths
@@ -14,11 +16,15 @@ from .solving_panel import SolvingPanel
 from .status import Status
 
 
+LONGEST_STEP = 0.15  # s the window may stand still for a surface that follows
+
+
 class GuidedPanel(SolvingPanel):
     """A GuidedSession's panel. `_kept` is the native result that other weights and handles start from."""
 
     _kept = None
     _has_folded = False
+    _is_slow = False  # a step took too long for the surface to follow
 
     def _make_boxes(self) -> list:
         guidance_ui = Gui.PySideUic.loadUi(paths.form("guidance.ui"))
@@ -48,18 +54,22 @@ class GuidedPanel(SolvingPanel):
 
     def _start_anew(self) -> None:
         super()._start_anew()
-        self._kept = None
+        self._kept, self._is_slow = None, False
 
     def _guide(self) -> None:
-        """Shows the surface under another guide at once where there is one to start from; what OK takes is solved when
-        the guide stays."""
+        """Shows the surface under another guide at once where there is one to start from, and it is quick; what OK takes
+        is solved when the guide stays."""
         self._draw_handles()
         if self._kept is None or not self._ui.previewCheck.isChecked():
             self._refresh()
             return
-        self._idle()
         self._result = None
         self._settled.stop()
+        if self._is_slow or not self._kept.guides_quickly:
+            self._solve_or_wait(self._session.problem, True)
+            return
+        self._idle()
+        began = time.monotonic()
         try:
             guided = self._session.guided(self._kept)
         except ValueError as error:
@@ -67,6 +77,7 @@ class GuidedPanel(SolvingPanel):
         else:
             self._show_guided(*guided)
             self._settled.start()
+        self._is_slow = time.monotonic() - began > LONGEST_STEP
 
     def _show_guided(self, fill, mesh) -> None:
         """The surface, how it follows and how good it is; the rest of its numbers are read when it stays."""

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from .. import settings
+from ..features import guide_objects
 from ..paths import icon
 
 EDIT_DEFAULT = 0  # FreeCAD's edit mode of a double-click
@@ -52,7 +53,7 @@ class FillView:
         if not obj:
             return []
         bases = self.bases_of(obj) if self.replaces(obj) else []
-        return bases + (obj.Guides if "Guides" in obj.PropertiesList else [])
+        return bases + self._guides_of(obj)
 
     def setEdit(self, view_object, mode: int = EDIT_DEFAULT):
         return self.open_panel(view_object.Object) if mode == EDIT_DEFAULT else None
@@ -72,9 +73,16 @@ class FillView:
         return True
 
     def onDelete(self, view_object, sub_elements) -> bool:
-        if self.replaces(view_object.Object):
-            self._show_bases(view_object.Object, True)
+        """Its bases are to be seen again; its guides, of no use without it, go with it."""
+        obj = view_object.Object
+        if self.replaces(obj):
+            self._show_bases(obj, True)
+        guide_objects.remove(self._guides_of(obj), obj)
         return True
+
+    @staticmethod
+    def _guides_of(obj) -> list:
+        return list(obj.Guides) if "Guides" in obj.PropertiesList else []
 
     def _show_bases(self, obj, shown: bool) -> None:
         for base in self.bases_of(obj):

@@ -269,18 +269,21 @@ Result<EditResult> SurfaceEdit::under(const Guidance& given, bool lookUpAgain) {
 
 Result<EditResult> editSurface(const BsplineSurface& old,
                                const EditOptions& options,
-                               const EditRegion& region) {
+                               const EditRegion& region,
+                               Progress* progress) {
   auto edit = SurfaceEdit::make(old, options, region);
   if (!edit) return fail(edit.error());
-  return edit->settled(options.guidance);
+  return edit->settled(options.guidance, progress);
 }
 
-Result<EditResult> SurfaceEdit::settled(const Guidance& guidance) {
+Result<EditResult> SurfaceEdit::settled(const Guidance& guidance, Progress* progress) {
   const bool looksUp = guidance.isDrawn();
   for (int k = 0;; ++k) {
+    if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     const spline::Poles before = latest_.poles;
     auto result = under(guidance);
     if (!result || !looksUp || k == energy::kLookUps) return result;
+    if (progress) progress->setFraction((k + 1.0) / (energy::kLookUps + 1.0));
     const double moved = (latest_.poles - before).rowwise().norm().maxCoeff();
     if (moved < energy::kStill * result->report.diagonal) return result;
   }

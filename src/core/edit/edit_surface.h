@@ -6,6 +6,7 @@
 
 #include "core/analysis/continuity_report.h"
 #include "core/assembly/assemble_guidance.h"
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/boundary/continuity.h"
 #include "core/energy/energy_kind.h"
@@ -70,8 +71,9 @@ class SurfaceEdit {
   /// stay where they were looked up before. Fails with the codes of energy::validate(), HandleOff,
   /// ReferenceOff and those of solver::GuidedProgram::solve().
   [[nodiscard]] Result<EditResult> under(const energy::Guidance& guidance, bool lookUp = true);
-  /// The same, looked up again until that stands still.
-  [[nodiscard]] Result<EditResult> settled(const energy::Guidance& guidance);
+  /// The same, looked up again until that stands still. Fails with Cancelled, too.
+  [[nodiscard]] Result<EditResult> settled(const energy::Guidance& guidance,
+                                           Progress* progress = nullptr);
 
  private:
   SurfaceEdit(spline::BsplineSurface old, EditOptions options, EditRegion region);
@@ -94,9 +96,10 @@ class SurfaceEdit {
 /// surface's proportions and an area of 1 for that, so lambda and gamma mean the same at every
 /// size. Handles, curves and references are looked up near the old surface, then near the new one
 /// until that stands still. Fails with the codes of
-/// validate(), NothingToMove, HandleOff, ReferenceOff and those of solver::solve().
+/// validate(), NothingToMove, HandleOff, ReferenceOff, those of solver::solve() and Cancelled.
 [[nodiscard]] Result<EditResult> editSurface(const spline::BsplineSurface& old,
                                              const EditOptions& options,
-                                             const EditRegion& region = {});
+                                             const EditRegion& region = {},
+                                             Progress* progress = nullptr);
 
 }  // namespace fairing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -77,7 +78,12 @@ struct Guidance {
   std::function<GuidanceSample(double u, double v)> parametric;
 
   [[nodiscard]] bool hasField() const { return continuous || discrete; }
-  [[nodiscard]] bool hasNormals() const { return !handles.empty() || !curves.empty(); }
+  /// Whether a handle or a curve has any weight.
+  [[nodiscard]] bool hasNormals() const {
+    const auto weighs = [](const auto& normals) { return normals.weight > 0.0; };
+    return std::any_of(handles.begin(), handles.end(), weighs) ||
+           std::any_of(curves.begin(), curves.end(), weighs);
+  }
   /// Whether what is found near a surface changes as the surface comes closer to it, so that it is
   /// worth another look. Where a reference gives normals alone nothing holds points to it: looked
   /// up again and again, the surface would slide along it.

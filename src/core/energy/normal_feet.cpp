@@ -56,7 +56,7 @@ NearFoot nearestOn(const std::vector<Vector3d>& feet,
 
 NormalFeet::NormalFeet(const Guidance& guidance,
                        const std::vector<spline::BsplineSurface>& patches) {
-  if (guidance.handles.empty() && guidance.curves.empty()) return;
+  if (!guidance.hasNormals()) return;
   const spline::NearestPatch nearest(patches);
   int number = 0;
   for (const NormalHandle& h : guidance.handles)
@@ -71,6 +71,7 @@ void NormalFeet::add(const spline::NearestPatch& nearest,
                      const std::vector<Vector3d>& points,
                      const std::vector<Vector3d>& normals,
                      Source source) {
+  if (!(source.weight > 0.0)) return;
   source.self.distance = kInfinity;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const spline::SurfaceFoot foot = nearest.to(points[k]).foot;

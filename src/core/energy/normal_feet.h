@@ -18,7 +18,7 @@ struct IdleGuide {
 
 /// Where the handles and curves of a guide lie on some patches: at the nearest points, from which
 /// their radii count. So a handle may float above a patch, and one guide's normals fade into
-/// another's.
+/// another's. Those without weight are as if they were not there.
 class NormalFeet {
  public:
   NormalFeet(const Guidance& guidance, const std::vector<spline::BsplineSurface>& patches);

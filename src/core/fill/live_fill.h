@@ -19,6 +19,8 @@ class LiveFill {
   /// The patches under other guidance on the knots of the result: GuidedSpan::under(). A trimmed
   /// face is filled anew. Fails as these do.
   [[nodiscard]] Result<FillResult> under(const energy::Guidance& guidance, bool lookUp = true);
+  /// Whether under() costs one solve; a trimmed face costs all of them.
+  [[nodiscard]] bool isQuick() const { return start_.span != nullptr; }
   /// What guided last.
   [[nodiscard]] const energy::Guidance& guidance() const { return options_.guidance; }
 

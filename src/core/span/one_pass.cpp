@@ -45,7 +45,8 @@ Result<solver::Solution> solveGuided(const Span& span,
                                      const layout::PatchLayout& layout,
                                      const FillOptions& options,
                                      Aim aim,
-                                     const solver::Points& unguided) {
+                                     const solver::Points& unguided,
+                                     Progress* progress) {
   const energy::Guidance& guidance = options.guidance;
   if (const auto wrong = fieldMisplaced(guidance, layout)) return fail(*wrong);
   const bool isNewton = isIterated(span.plan.cut.loop, options);
@@ -53,6 +54,7 @@ Result<solver::Solution> solveGuided(const Span& span,
   solver::Points current = aim.near ? *aim.near : unguided;
   std::optional<solver::GuidedProgram> guided;
   for (int k = 0;; ++k) {
+    if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     if (!guided || isNewton) {
       if (isNewton) aim.about = current;
       const auto program = makeProgram(span.plan, layout, options.energy, aim, options.through);
@@ -76,13 +78,14 @@ Result<solver::Solution> solveGuided(const Span& span,
 Result<FillResult> fillOn(const Span& span,
                           const layout::PatchLayout& layout,
                           Aim aim,
-                          const FillOptions& options) {
+                          const FillOptions& options,
+                          Progress* progress) {
   Stopwatch watch;
   const auto unguided = solveUnguided(span, layout, options, aim);
   if (!unguided) return fail(unguided.error());
   solver::Solution solution = unguided->solution;
   if (options.guidance.acts()) {
-    auto guided = solveGuided(span, layout, options, std::move(aim), solution.points);
+    auto guided = solveGuided(span, layout, options, std::move(aim), solution.points, progress);
     if (!guided) return fail(guided.error());
     solution = std::move(*guided);
   }

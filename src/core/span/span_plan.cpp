@@ -43,6 +43,12 @@ void addHistory(const FairShape& shape, FillResult& result) {
         {.code = analysis::NoteCode::ShapeUndefined, .where = history.where});
 }
 
+// What is measured on the patches that are kept, and not on those on the way to them.
+Result<void> measureKept(const FillOptions& options, FillResult& result) {
+  result.report.fairness = analysis::measureFairness(result.patches);
+  return analysis::addGuidance(result.report, options.guidance, result.patches);
+}
+
 }  // namespace
 
 Result<Span> makeSpan(const boundary::BoundaryLoop& loop,
@@ -77,7 +83,7 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
     Aim aim;
     if (*shape) aim.shape = pointsOn(layout, (*shape)->patches);
     if (latest) aim.near = pointsOn(layout, *latest);
-    auto tried = fillOn(span, layout, std::move(aim), options);
+    auto tried = fillOn(span, layout, std::move(aim), options, progress);
     if (!tried) return tried;
     tried->summary.solves = round + 1;
     if (options.guidance.isDrawn()) latest = tried->patches;
@@ -89,9 +95,7 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
     if (nothingWished(wishes)) break;
     layout = layout::refineLayout(span.plan, layout, wishes);
   }
-  best->report.fairness = analysis::measureFairness(best->patches);
-  const auto guided = analysis::addGuidance(best->report, options.guidance, best->patches);
-  if (!guided) return fail(guided.error());
+  if (const auto measured = measureKept(options, *best); !measured) return fail(measured.error());
   best->summary.layoutTime = layoutTime;
   best->summary.shapeTime = shapeTime;
   if (*shape) addHistory(**shape, *best);
@@ -111,7 +115,7 @@ Result<FillResult> spanAgain(const Span& span,
   auto result = fillOn(span, layout, std::move(aim), options);
   if (!result) return result;
   result->summary.solves = 1;
-  result->report.fairness = analysis::measureFairness(result->patches);
+  if (const auto measured = measureKept(options, *result); !measured) return fail(measured.error());
   result->summary.totalTime = watch.total();
   return result;
 }

@@ -37,33 +37,6 @@ Guidance continuousGuidance(double lambda, double gamma) {
   return guidance;
 }
 
-Guidance discreteGuidance(double lambda, double gamma) {
-  Random random{8};
-  energy::DiscreteGuidance grid;
-  grid.n = 4;
-  grid.m = 3;
-  const Eigen::Index count = (grid.n + 1) * (grid.m + 1);
-  grid.points = randomMatrix(random, count, 3);
-  grid.normals = randomMatrix(random, count, 3).rowwise().normalized();
-  grid.lambda = randomMatrix(random, count, 1).cwiseAbs();
-  grid.gamma = randomMatrix(random, count, 1).cwiseAbs();
-  Guidance guidance;
-  guidance.lambda = lambda;
-  guidance.gamma = gamma;
-  guidance.discrete = grid;
-  return guidance;
-}
-
-// lambda [(R_u . N)^2 + (R_v . N)^2] + gamma (R - S)^2, [WuYang2015] eq. 1.
-double integrand(const spline::SurfaceJet& r,
-                 const Vector3d& n,
-                 const Vector3d& s,
-                 double lambda,
-                 double gamma) {
-  const double tilt = std::pow(r.u.dot(n), 2) + std::pow(r.v.dot(n), 2);
-  return lambda * tilt + gamma * (r.point - s).squaredNorm();
-}
-
 // The oracle: eight Gauss points on a mesh that holds every knot of patch and guide.
 double continuousEnergy(const BsplineSurface& patch, const Guidance& g) {
   const BsplineSurface& normals = g.continuous->normals;
@@ -78,28 +51,17 @@ double continuousEnergy(const BsplineSurface& patch, const Guidance& g) {
   fine.v = split(split(fine.v, normals.v), reference.v);
   return 0.5 * integral(fine, 8, [&](double u, double v) {
            const double s = u / patch.u.last(), t = v / patch.v.last();
-           return integrand(patch.jet(u, v),
-                            normals.evaluate(s, t),
-                            reference.evaluate(s, t),
-                            g.lambda,
-                            g.gamma);
+           return guidedIntegrand(patch.jet(u, v),
+                                  normals.evaluate(s, t),
+                                  reference.evaluate(s, t),
+                                  g.lambda,
+                                  g.gamma);
          });
 }
 
-// [WuYang2015] eq. 5, every sample weighing its share of the domain's area.
-double discreteEnergy(const BsplineSurface& patch, const Guidance& g) {
-  const energy::DiscreteGuidance& grid = *g.discrete;
-  double sum = 0.0;
-  for (int i = 0; i <= grid.n; ++i)
-    for (int j = 0; j <= grid.m; ++j) {
-      const Eigen::Index k = i * (grid.m + 1) + j;
-      sum += integrand(patch.jet(patch.u.last() * i / grid.n, patch.v.last() * j / grid.m),
-                       grid.normals.row(k),
-                       grid.points.row(k),
-                       g.lambda * grid.lambda[k],
-                       g.gamma * grid.gamma[k]);
-    }
-  return 0.5 * sum * patch.u.last() * patch.v.last() / ((grid.n + 1) * (grid.m + 1));
+Guidance sampled(double lambda, double gamma) {
+  Random random{8};
+  return discreteGuidance(random, lambda, gamma);
 }
 
 using Oracle = double (*)(const BsplineSurface&, const Guidance&);
@@ -144,9 +106,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Case{"ContinuousLambda", continuousGuidance(2.5, 0.0), continuousEnergy},
                       Case{"ContinuousGamma", continuousGuidance(0.0, 1.5), continuousEnergy},
                       Case{"ContinuousBoth", continuousGuidance(2.5, 1.5), continuousEnergy},
-                      Case{"DiscreteLambda", discreteGuidance(2.5, 0.0), discreteEnergy},
-                      Case{"DiscreteGamma", discreteGuidance(0.0, 1.5), discreteEnergy},
-                      Case{"DiscreteBoth", discreteGuidance(2.5, 1.5), discreteEnergy}),
+                      Case{"DiscreteLambda", sampled(2.5, 0.0), discreteEnergy},
+                      Case{"DiscreteGamma", sampled(0.0, 1.5), discreteEnergy},
+                      Case{"DiscreteBoth", sampled(2.5, 1.5), discreteEnergy}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(AssembleGuidance, WithoutGuidanceNothingIsAdded) {

@@ -302,6 +302,20 @@ TEST(EditSurface, AReferenceThatCoversAPartGuidesThere) {
   EXPECT_THAT(editSurface(wavy(), options), FailsWith(ErrorCode::ReferenceOff));
 }
 
+TEST(EditSurface, CanBeCancelledBetweenTwoLooks) {
+  // The first look at the reference asks for the abort.
+  Progress progress;
+  EditOptions options;
+  options.guidance.gamma = 100.0;
+  options.guidance.reference = [&](const Vector3d& near) {
+    progress.requestAbort();
+    return energy::GuidanceSample{Vector3d::UnitZ(), {near.x(), near.y(), 3.0}, 1.0, 1.0};
+  };
+  EXPECT_THAT(editSurface(wavy(), options, {}, &progress), FailsWith(ErrorCode::Cancelled));
+  EXPECT_GT(progress.fraction(), 0.0);
+  EXPECT_LT(progress.fraction(), 0.5);
+}
+
 TEST(EditSurface, MovesOnlyWhatLiesOnItsRegion) {
   EditOptions options = swelling(EnergyKind::ThinPlate, 500.0);
   options.spans = 6;

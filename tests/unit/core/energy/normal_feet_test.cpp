@@ -87,6 +87,24 @@ TEST(NormalFeet, OfACurveGuideAllAlongIt) {
   }
 }
 
+TEST(NormalFeet, WithoutWeightAreAsIfTheyWereNotThere) {
+  Guidance guidance;
+  guidance.lambda = 1.0;
+  guidance.handles = {{Vector3d(0.5, 0.5, 0.0), leaning(20), 1.0, kRadius},
+                      {Vector3d(0.6, 0.5, 0.0), leaning(-20), 0.0, kRadius},
+                      {Vector3d(9.0, 9.0, 0.0), leaning(0), 0.0, kRadius}};
+  Guidance alone = guidance;
+  alone.handles.resize(1);
+  const NormalFeet feet(guidance, twoSquares()), known(alone, twoSquares());
+  for (const double x : {0.5, 0.6, 0.7}) {
+    EXPECT_EQ(feet.at({x, 0.5, 0.0}).normal, known.at({x, 0.5, 0.0}).normal);
+    EXPECT_EQ(feet.at({x, 0.5, 0.0}).lambda, known.at({x, 0.5, 0.0}).lambda);
+  }
+  EXPECT_FALSE(feet.idle({Vector3d(0.5, 0.5, 0.0)}).has_value());
+  guidance.handles.erase(guidance.handles.begin());
+  EXPECT_FALSE(guidance.acts());
+}
+
 TEST(NormalFeet, TellWhatGuidesNothing) {
   Guidance guidance;
   guidance.handles = {{Vector3d(0.5, 0.5, 0.0), leaning(0), 1.0, kRadius}};

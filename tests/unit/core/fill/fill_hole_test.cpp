@@ -248,6 +248,18 @@ TEST(FillHole, AnAbortAskedForBeforehandCancels) {
               FailsWith(ErrorCode::Cancelled));
 }
 
+TEST(FillHole, AnAbortBetweenTwoLooksAtTheGuideCancels) {
+  Progress progress;
+  FillOptions options;
+  options.guidance.gamma = 1.0;
+  options.guidance.reference = [&](const Vector3d& near) {
+    progress.requestAbort();
+    return energy::GuidanceSample{Vector3d::UnitZ(), {near.x(), near.y(), 1.0}, 1.0, 1.0};
+  };
+  EXPECT_THAT(fillHole(loopOf(waves(), unitSquare()), options, &progress),
+              FailsWith(ErrorCode::Cancelled));
+}
+
 TEST(FillHole, AnAbortInTheMiddleCancels) {
   // The first solve asks for the abort by way of a ribbon; a tolerance never met keeps it going.
   Progress progress;
