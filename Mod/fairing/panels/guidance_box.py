@@ -144,6 +144,8 @@ class GuidanceBox(QtCore.QObject):
                      translate("Fairing", "Pick a face, a mesh or an object that the surface is to be like."),
                      translate("Fairing", "Pick a face, an edge or a datum with the direction."))
             selection.tell(hints[self._buttons().index(button)])
+        else:
+            selection.tell("")
         self.shown.emit()
 
     def _select(self, position: int) -> None:
