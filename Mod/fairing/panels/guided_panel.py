@@ -10,11 +10,11 @@ from .. import paths
 from ..features.guides import NormalHandle
 from . import task_boxes
 from .guidance_box import GuidanceBox
-from .solving_panel import SolvingPanel
+from .pictured_panel import PicturedPanel
 from .status import Status
 
 
-class GuidedPanel(SolvingPanel):
+class GuidedPanel(PicturedPanel):
     """A GuidedSession's panel. `_kept` is the native result that other weights and handles start from."""
 
     _kept = None
@@ -74,6 +74,7 @@ class GuidedPanel(SolvingPanel):
         report = fill.report
         self._say(*self._judge(fill, report))
         self._display.show_mesh(mesh)
+        self._draw_picture(fill)
         self._display.show_guidance(fill, guidance.shows_field, guidance.shows_net)
         guidance.show_followed(*self._followed(report))
 
@@ -82,10 +83,12 @@ class GuidedPanel(SolvingPanel):
         shown = super()._show_result(value)
         self._guidance.show_report(self._kept.report, *self._followed(self._kept.report))
         self._draw_guides()
+        self._draw_picture(self._kept)
         return shown
 
     def _show_nothing(self) -> None:
         super()._show_nothing()
+        self._draw_picture(None)
         self._guidance.show_report(None)
         self._draw_handles()
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/analysis/curvature.h"
+#include "core/analysis/measure_fairness.h"
 #include "core/analysis/measure_guidance.h"
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
@@ -89,7 +89,7 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
     if (nothingWished(wishes)) break;
     layout = layout::refineLayout(span.plan, layout, wishes);
   }
-  best->report.fairness = analysis::measureFairness(best->patches);
+  best->report.fairness = analysis::measureFairness(best->patches, diagonal);
   const auto guided = analysis::addGuidance(best->report, options.guidance, best->patches);
   if (!guided) return fail(guided.error());
   best->summary.layoutTime = layoutTime;
@@ -111,7 +111,7 @@ Result<FillResult> spanAgain(const Span& span,
   auto result = fillOn(span, layout, std::move(aim), options);
   if (!result) return result;
   result->summary.solves = 1;
-  result->report.fairness = analysis::measureFairness(result->patches);
+  result->report.fairness = analysis::measureFairness(result->patches, span.loop.diagonal);
   result->summary.totalTime = watch.total();
   return result;
 }
