@@ -1482,8 +1482,12 @@
    <translation>Zebra</translation>
   </message>
   <message>
-   <source>Automatic</source>
-   <translation>Automatisch</translation>
+   <source>Auto</source>
+   <translation>Auto</translation>
+  </message>
+  <message>
+   <source>The unit of both numbers</source>
+   <translation>Die Einheit beider Zahlen</translation>
   </message>
   <message>
    <source>Stripes</source>
@@ -1512,10 +1516,6 @@
   <message>
    <source>What the colour at the right stands for. A number typed in takes the place of the automatic one</source>
    <translation>Wofür die Farbe rechts steht. Eine eingetippte Zahl tritt an die Stelle der automatischen</translation>
-  </message>
-  <message>
-   <source>What the colour in the middle stands for, and the unit</source>
-   <translation>Wofür die Farbe in der Mitte steht, und die Einheit</translation>
   </message>
   <message>
    <source>The values of the surface itself where the mouse rests; text to copy</source>

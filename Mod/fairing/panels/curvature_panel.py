@@ -35,6 +35,7 @@ class CurvaturePanel:
 
     def __init__(self, document: App.Document, picks):
         self._document, self._is_closed = document, False
+        self._are_closed: list[bool] = []  # which of the pictures are on solids
         self._ui = Gui.PySideUic.loadUi(paths.form("picture.ui"))
         self.form = [self._ui.pictureRows]
         self.form[0].setWindowIcon(QtGui.QIcon(paths.icon("Fairing_CurvaturePicture.svg")))
@@ -76,10 +77,12 @@ class CurvaturePanel:
     def _look_at(self, picks) -> None:
         """Has the pictures made."""
         self._say(", ".join(f"{obj.Label}: {', '.join(names)}" if names else obj.Label for obj, names in picks))
-        shapes = [(exchange.data_of(shape_in(None, obj)), list(subelements.face_numbers(names)))
-                  for obj, names in picks if not shape_in(None, obj).isNull()]
+        shapes = [(shape_in(None, obj), list(subelements.face_numbers(names))) for obj, names in picks]
+        shapes = [(shape, faces) for shape, faces in shapes if not shape.isNull()]
+        self._are_closed = [bool(shape.Solids) for shape, _ in shapes]
+        asked = [(exchange.data_of(shape), faces) for shape, faces in shapes]
         self._solver.request(lambda progress: [exchange.native_shape_of(brep).curvature_picture(faces, DIVISIONS)
-                                               for brep, faces in shapes])
+                                               for brep, faces in asked])
 
     def _made(self, pictures, error) -> None:
         if error is not None:
@@ -89,7 +92,7 @@ class CurvaturePanel:
             self._curvature.clear()
             self._say(translate("Fairing", "What is selected has no faces with a surface."))
         else:
-            self._curvature.show(pictures)
+            self._curvature.show(pictures, are_closed=self._are_closed)
 
     def _say(self, text: str) -> None:
         self._ui.facesLabel.setText(text)

@@ -40,14 +40,14 @@ class CurvatureView:
     def is_empty(self) -> bool:
         return not self._pictures
 
-    def show(self, pictures, beside=(), placement=App.Placement()) -> None:
+    def show(self, pictures, beside=(), placement=App.Placement(), are_closed=None) -> None:
         """Native CurvaturePictures: those that the range is taken of, and others beside them; from their coordinates to
-        the document's."""
+        the document's; and which of them are on solids, where nothing is seen from behind."""
         self._pictures, self._ranging, self._placement = [*pictures, *beside], len(pictures), placement
         self._meshes = [picture.mesh() for picture in self._pictures]
         self._values = [picture.values() for picture in self._pictures]
         self._drawing.place(placement)
-        self._drawing.show_meshes(self._meshes)
+        self._drawing.show_meshes(self._meshes, are_closed or [False] * len(self._pictures))
         self.paint()
 
     def paint(self) -> None:

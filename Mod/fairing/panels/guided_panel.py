@@ -8,7 +8,6 @@ import FreeCADGui as Gui
 
 from .. import paths
 from ..features.guides import NormalHandle
-from . import task_boxes
 from .guidance_box import GuidanceBox
 from .pictured_panel import PicturedPanel
 from .status import Status
@@ -18,7 +17,6 @@ class GuidedPanel(PicturedPanel):
     """A GuidedSession's panel. `_kept` is the native result that other weights and handles start from."""
 
     _kept = None
-    _has_folded = False
 
     def _make_boxes(self) -> list:
         guidance_ui = Gui.PySideUic.loadUi(paths.form("guidance.ui"))
@@ -103,9 +101,8 @@ class GuidedPanel(PicturedPanel):
 
     def _make_way(self) -> None:
         """Once the surface is guided the limits, rarely needed then, fold away, so that nothing scrolls."""
-        if self._session.is_guided and not self._has_folded:
-            self._has_folded = True
-            task_boxes.fold(self.form[-1])
+        if self._session.is_guided:
+            self._fold_limits()
 
     def _draw_handles(self) -> None:
         session = self._session

@@ -15,6 +15,7 @@ from . import picture_colors as colors
 from .quantities import point_text
 
 FIGURES = 4  # of a curvature
+NOTHING = 1e-11  # below that a number is rounding
 TYPING_PAUSE = 250  # ms without a key before a typed number counts
 
 
@@ -64,8 +65,7 @@ class PictureBox(QtCore.QObject):
         if self._ui.pictureAutoCheck.isChecked():
             self._ui.pictureLow.setText(_text(low))
             self._ui.pictureHigh.setText(_text(high))
-        middle = 0.5 * (low + high)
-        self._ui.pictureMiddle.setText(f"{_text(middle)} {UNITS[QUANTITIES.index(self.picture)]}")
+        self._ui.pictureUnit.setText(UNITS[QUANTITIES.index(self.picture)])
 
     def show_place(self, place: Optional[dict]) -> None:
         """What the native module tells of a place; None: there is none, and the last one stays to be copied."""
@@ -78,7 +78,7 @@ class PictureBox(QtCore.QObject):
     def _chosen(self, *_) -> None:
         ui, picture = self._ui, self.picture
         is_map = picture in QUANTITIES
-        for widget in (ui.scaleLabel, ui.pictureLow, ui.pictureMiddle, ui.pictureHigh, ui.pictureAutoCheck):
+        for widget in (ui.scaleLabel, ui.pictureLow, ui.pictureUnit, ui.pictureHigh, ui.pictureAutoCheck):
             widget.setVisible(is_map)
         for widget in (ui.stripesLabel, ui.stripesSpin):
             widget.setVisible(picture == ZEBRA)
@@ -121,7 +121,9 @@ def place_text(place: dict) -> str:
 
 
 def _text(number: float) -> str:
-    return "\u2013" if not np.isfinite(number) else f"{number:.{FIGURES}g}"
+    if not np.isfinite(number):
+        return "\u2013"
+    return f"{number:.{FIGURES}g}" if abs(number) >= NOTHING else "0"
 
 
 def _number(text: str) -> Optional[float]:

@@ -3,18 +3,18 @@
 
 from __future__ import annotations
 
-import functools
+import dataclasses
+from typing import Optional
 
 import numpy as np
 
 STEPS = 256  # of a scale
-ZEBRA_SIZE, OVERSAMPLED = 512, 3  # texels along a side, and how many times finer their stripes are looked up
-DARK, LIGHT = 35.0, 255.0
+DARK, LIGHT, SOFT = 50.0, 255.0, 0.015  # of stripes, and how far their borders reach, in stripes
 UNKNOWN = (128, 128, 128)  # where there is no curvature
 
 # From below to above: where the quantity is 0 a signed scale is pale, the other one calm.
-SIGNED = ((0.03, 0.15, 0.55), (0.10, 0.45, 0.85), (0.50, 0.80, 0.95), (0.97, 0.97, 0.92), (0.99, 0.80, 0.35),
-          (0.92, 0.38, 0.12), (0.58, 0.02, 0.10))
+SIGNED = ((0.10, 0.22, 0.72), (0.16, 0.52, 0.92), (0.55, 0.83, 0.97), (0.98, 0.98, 0.94), (1.00, 0.82, 0.38),
+          (0.95, 0.42, 0.15), (0.72, 0.06, 0.12))
 UNSIGNED = ((0.90, 0.95, 0.97), (0.62, 0.85, 0.70), (0.98, 0.90, 0.38), (0.95, 0.52, 0.15), (0.72, 0.05, 0.12))
 
 
@@ -26,27 +26,39 @@ def scale(is_signed: bool) -> np.ndarray:
     return np.rint(255.0 * np.stack(channels, axis=1)).astype(np.uint8)
 
 
-def zebra(stripes: int) -> np.ndarray:
-    """ZEBRA_SIZE x ZEBRA_SIZE: what a mirror shows of so many light lines round the part, all parallel to the screen's
-    horizontal, by its normal n seen from the camera: texel (s, t) stands for n.x = 2 s - 1, n.y = 2 t - 1.
+def zebra_image() -> np.ndarray:
+    """2 x STEPS x 3: one stripe, a dark half and a light one with soft borders, to be repeated."""
+    along = np.abs((np.arange(STEPS) + 0.5) / STEPS - 0.5)  # from the middle of the dark half
+    grey = np.interp(along, (0.25 - SOFT, 0.25 + SOFT), (DARK, LIGHT))
+    line = np.repeat(np.rint(grey).astype(np.uint8)[:, None], 3, axis=1)
+    return np.stack([line, line])
 
-    The line of sight (0, 0, -1) is thrown back to r = 2 n.z n - (0, 0, 1); r's angle about the horizontal says which of the
-    lines it meets. Where two texels lie either side of a stripe's border, they share it.
+
+def stripes_at(points: np.ndarray, normals: np.ndarray, camera: "Camera", stripes: int) -> np.ndarray:
+    """n x 2: where each vertex looks up the stripe that it mirrors.
+
+    So many light lines stand at even angles round the part, parallel to the screen's horizontal. A line of sight v is
+    thrown back to r = v - 2 (v.n) n; r's angle about the horizontal says which line it meets. The sign of n plays no
+    part: sheets are seen from both sides.
     """
-    is_light = (np.floor(stripes / np.pi * _around()) % 2.0).astype(np.float32)
-    shares = is_light.reshape(ZEBRA_SIZE, OVERSAMPLED, ZEBRA_SIZE, OVERSAMPLED).mean(axis=(1, 3))
-    grey = np.rint(DARK + (LIGHT - DARK) * shares).astype(np.uint8)
-    return np.repeat(grey[:, :, None], 3, axis=2)
+    if camera.eye is None:
+        sight = -camera.back[None]
+    else:
+        sight = points - camera.eye
+        sight = sight / np.linalg.norm(sight, axis=1, keepdims=True)
+    mirrored = sight - 2.0 * np.sum(sight * normals, axis=1, keepdims=True) * normals
+    around = np.arctan2(mirrored @ camera.up, mirrored @ camera.back)
+    along = stripes * around / (2.0 * np.pi)
+    return np.stack([along, np.full(len(along), 0.5)], axis=1).astype(np.float32)
 
 
-@functools.lru_cache(maxsize=1)
-def _around() -> np.ndarray:
-    """The angle of r about the horizontal, radians, for every place that zebra() looks up."""
-    count = ZEBRA_SIZE * OVERSAMPLED
-    axis = ((np.arange(count) + 0.5) / count * 2.0 - 1.0).astype(np.float32)
-    x, y = np.meshgrid(axis, axis)
-    z = np.sqrt(np.maximum(0.0, 1.0 - x * x - y * y))
-    return np.arctan2(2.0 * z * y, 2.0 * z * z - 1.0)
+@dataclasses.dataclass(frozen=True)
+class Camera:
+    """Unit vectors up the screen and out of it; where a perspective camera stands, None for a parallel one."""
+
+    up: np.ndarray
+    back: np.ndarray
+    eye: Optional[np.ndarray]
 
 
 def places_in(values: np.ndarray, low: float, high: float) -> np.ndarray:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from .. import exchange, paths
+from . import task_boxes
 from .curvature_view import CurvatureView
 from .solving_panel import SolvingPanel
 
@@ -15,6 +16,7 @@ PICTURE_CELLS = 48  # along either direction of a patch: stripes are smooth to t
 class PicturedPanel(SolvingPanel):
     """Subclasses call _draw_picture() with whatever native result is to be seen."""
 
+    _has_folded = False
     _drawn = None  # the native result that is to be seen
     _beside: tuple = (None, ())  # what the pictures of the neighbours were made of, and they
 
@@ -25,6 +27,12 @@ class PicturedPanel(SolvingPanel):
         getattr(self._ui, self.BOX).layout().addWidget(self._picture_ui.pictureRows)
         self._curvature = CurvatureView(self._view, self._picture_ui)
         self._curvature.box.changed.connect(self._picture_changed)
+
+    def _fold_limits(self) -> None:
+        """Once, so that nothing scrolls: who wants them back unfolds them."""
+        if not self._has_folded:
+            self._has_folded = True
+            task_boxes.fold(self.form[-1])
 
     def _draw_picture(self, native) -> None:
         """The curvature of a native result, None: there is none."""
@@ -40,6 +48,8 @@ class PicturedPanel(SolvingPanel):
     def _picture_changed(self) -> None:
         if self._is_closed:
             return
+        if self._curvature.is_on:
+            self._fold_limits()
         if self._curvature.is_on and not self._curvature.is_empty:
             self._curvature.paint()
         else:

@@ -13,7 +13,7 @@ TRANSPARENCY = 0.15
 MATCH_COLOR, DOTTED = (0.13, 0.15, 0.18), 0x3333
 EDGE_WIDTH, THICK_WIDTH = 4.0, 9.0  # pixels
 DEPTH_RANGE = (0.0, 0.9998)  # a touch nearer than the base's own edges, which would show through otherwise
-DEPTH_ON_PICTURE = (0.0, 0.998)  # nearer than a picture of curvature
+DEPTH_ON_PICTURE = (0.0, 0.9965)  # nearer than a picture of curvature
 
 
 class Preview:
