@@ -1454,8 +1454,8 @@
    <translation>Krümmung</translation>
   </message>
   <message>
-   <source>None</source>
-   <translation>Keines</translation>
+   <source>No picture</source>
+   <translation>Kein Bild</translation>
   </message>
   <message>
    <source>Mean curvature H</source>
@@ -1494,8 +1494,8 @@
    <translation>Streifen</translation>
   </message>
   <message>
-   <source>Show the curvature of the surface and of its neighbours in colours, or the stripes that light lines leave on a mirror. Curvatures are positive where a face bends towards its normal. Default: None</source>
-   <translation>Die Krümmung der Fläche und ihrer Nachbarn in Farben zeigen, oder die Streifen, die Lichtlinien auf einem Spiegel hinterlassen. Krümmungen sind positiv, wo eine Fläche sich zu ihrer Normalen hin biegt. Voreinstellung: Keines</translation>
+   <source>Show the curvature of the surface and of its neighbours in colours, or the stripes that light lines leave on a mirror. Curvatures are positive where a face bends towards its normal. Default: No picture</source>
+   <translation>Die Krümmung der Fläche und ihrer Nachbarn in Farben zeigen, oder die Streifen, die Lichtlinien auf einem Spiegel hinterlassen. Krümmungen sind positiv, wo eine Fläche sich zu ihrer Normalen hin biegt. Voreinstellung: Kein Bild</translation>
   </message>
   <message>
    <source>Let the colours span what nearly all of the surface has. Default: on</source>

@@ -136,7 +136,7 @@ gui.widget("allG2Button").click()
 gui.wait_for_verdict("Meets all 4 edges")
 assert len(nodes(coin.SoTextureCoordinate2)) == 2
 choose("none")
-assert pictures() == 0 and gui.widget("pictureLabel").isVisible()
+assert pictures() == 0 and gui.widget("pictureCombo").isVisible() and not gui.widget("pictureRows").isVisible()
 choose("mean-gradient")
 assert float(gui.widget("pictureLow").text()) == 0.0
 gui.picture("47_fill_gradient")

@@ -9,7 +9,6 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
-#include <algorithm>
 #include <cmath>
 
 #include "occt/shapes.h"
@@ -61,13 +60,9 @@ TEST(CurvaturePictureOfFaces, TheWallOfAHoleBendsTowardsItsNormal) {
           BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20, 20, -1), gp_Dir(0, 0, 1)), 5, 30).Shape())
           .Shape();
   const auto picture = pictureOf(drilled);
-  double most = 0.0, least = 0.0;
-  for (const double mean : picture.values().col(kMean)) {
-    most = std::max(most, mean);
-    least = std::min(least, mean);
-  }
-  EXPECT_NEAR(most, 0.1, 1e-12);
-  EXPECT_NEAR(least, 0.0, 1e-12);
+  const auto values = picture.values();
+  EXPECT_NEAR(values.col(kMean).maxCoeff(), 0.1, 1e-12);
+  EXPECT_NEAR(values.col(kMean).minCoeff(), 0.0, 1e-12);
 }
 
 TEST(CurvaturePictureOfFaces, SpheresHaveNormalsAndCurvatureAtTheirPoles) {

@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 from .. import exchange, native, paths, selection, subelements
 from ..features.placement import shape_in
 from ..translation import translate
+from . import task_boxes
 from .background import BackgroundSolver
 from .curvature_view import CurvatureView
 from .message import show_problem
@@ -30,7 +31,9 @@ class CurvaturePanel:
         if problem:
             show_problem(problem)
             return False
-        Gui.Control.showDialog(cls(App.ActiveDocument, picks))
+        panel = cls(App.ActiveDocument, picks)
+        Gui.Control.showDialog(panel)
+        QtCore.QTimer.singleShot(0, lambda: panel._is_closed or task_boxes.make_room(panel.form[0]))
         return True
 
     def __init__(self, document: App.Document, picks):

@@ -34,6 +34,8 @@ class PictureBox(QtCore.QObject):
         for field in (ui.pictureLow, ui.pictureHigh):
             field.setValidator(_NumberValidator(field))
             field.textEdited.connect(lambda *_: self._edited())
+        names = ui.pictureCombo.view()
+        names.setMinimumWidth(names.sizeHintForColumn(0) + 2 * names.frameWidth())  # whatever room the list itself has
         ui.pictureCombo.currentIndexChanged.connect(self._chosen)
         ui.pictureAutoCheck.toggled.connect(self.changed)
         ui.stripesSpin.valueChanged.connect(self.changed)

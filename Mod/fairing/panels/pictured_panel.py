@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import FreeCADGui as Gui
+from PySide import QtGui
 
 from .. import exchange, paths
 from . import task_boxes
 from .curvature_view import CurvatureView
 from .solving_panel import SolvingPanel
 
+PROGRESS_WIDTH = 24  # pixels: the row has other things to show
 PICTURE_CELLS = 48  # along either direction of a patch: stripes are smooth to the eye
 
 
@@ -23,10 +25,23 @@ class PicturedPanel(SolvingPanel):
     def _set_up(self) -> None:
         super()._set_up()
         self._picture_ui = Gui.PySideUic.loadUi(paths.form("picture.ui"))
-        self._picture_ui.facesLabel.hide()
-        getattr(self._ui, self.BOX).layout().addWidget(self._picture_ui.pictureRows)
         self._curvature = CurvatureView(self._view, self._picture_ui)
         self._curvature.box.changed.connect(self._picture_changed)
+        self._put_up_switch()
+
+    def _put_up_switch(self) -> None:
+        """In the row of what is drawn; the rest below it, where there is a picture."""
+        ui, row = self._picture_ui, self._ui.findChild(QtGui.QHBoxLayout, "showLayout")
+        self._show_row = row
+        for label in (ui.pictureLabel, ui.facesLabel):
+            label.hide()
+        row.insertWidget(row.indexOf(self._ui.progressBar), ui.pictureCombo, 1)
+        self._ui.progressBar.setFixedWidth(PROGRESS_WIDTH)
+        getattr(self._ui, self.BOX).layout().addWidget(ui.pictureRows)
+        ui.pictureRows.hide()
+
+    def _needed_width(self) -> int:
+        return max(super()._needed_width(), self._show_row.minimumSize().width())
 
     def _fold_limits(self) -> None:
         """Once, so that nothing scrolls: who wants them back unfolds them."""
@@ -48,6 +63,7 @@ class PicturedPanel(SolvingPanel):
     def _picture_changed(self) -> None:
         if self._is_closed:
             return
+        self._picture_ui.pictureRows.setVisible(self._curvature.is_on)
         if self._curvature.is_on:
             self._fold_limits()
         if self._curvature.is_on and not self._curvature.is_empty:
