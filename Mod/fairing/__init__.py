@@ -13,19 +13,21 @@
     shape, report = fairing.edit(base.Shape, "Face3", guide=handles, lambda_=50)   shapes a face anew, its border kept
     obj = fairing.make_edit(base, "Face3", guides=handles, lambda_=50)    the same as a parametric document object
     fairing.holes(base.Shape)                                     the loops of free edges
+    fairing.compare(base.Shape, edges=["Edge3"])                  a report an energy
+    fairing.curvature_picture(base.Shape, "gauss")                points, triangles and the curvature at each point
 
 Lengths are in mm, angles in degrees. What cannot be done raises fairing.FairingError, whose text is one sentence.
 """
 
-from .api import blend, edit, fill, fill_all, holes, report
+from .api import blend, compare, curvature_picture, edit, fill, fill_all, holes, report
 from .features.blend_feature import change_blend, make_blend
 from .features.edit_feature import change_edit, make_edit
 from .features.fill_all_feature import change_fill_all, make_fill_all
 from .features.fill_feature import change_fill, make_fill
 from .native import NativeModuleError
 
-__all__ = ["FairingError", "NativeModuleError", "blend", "change_blend", "change_edit", "change_fill", "change_fill_all", "edit",
-           "fill", "fill_all", "holes", "make_blend", "make_edit", "make_fill", "make_fill_all", "report"]
+__all__ = ["FairingError", "NativeModuleError", "blend", "change_blend", "change_edit", "change_fill", "change_fill_all", "compare",
+           "curvature_picture", "edit", "fill", "fill_all", "holes", "make_blend", "make_edit", "make_fill", "make_fill_all", "report"]
 
 
 def __getattr__(name):

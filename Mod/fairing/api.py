@@ -9,10 +9,12 @@ import Part
 
 from . import exchange, native, subelements
 from .blend_request import BlendRequest
-from .choices import guide_text, triple
+from .choices import ENERGIES, guide_text, triple
+from .comparison import solve_each
 from .edit_request import EditRequest
 from .fill_all_request import FillAllRequest
 from .fill_request import FillRequest
+from .pictures import QUANTITIES
 
 
 def fill(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, faces: Iterable[subelements.Pick] = (),
@@ -36,12 +38,42 @@ def fill(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, faces: It
                      result ("patches", "shell" or "base"): see choices.Choices
     Raises FairingError with one sentence where that cannot be done.
     """
-    picks = _edge_names(edges) + _face_names(faces)
-    request = FillRequest.of(picks, edge_continuity, continuity=continuity,
-                             reference=exchange.data_of(reference) if reference else None,
-                             guide=guide_text(guide), through=tuple(_through(item) for item in through), **options)
+    request = _fill_request(edges, faces=faces, continuity=continuity, edge_continuity=edge_continuity,
+                            reference=reference, guide=guide, through=through, **options)
     done = request.solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
+
+
+def compare(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, energies: Iterable[str] = ENERGIES,
+            faces: Iterable[subelements.Pick] = (), **options) -> list[dict]:
+    """Fills one hole with one energy after the other. Returns a report each, with its "energy"; report["fairness"] has the
+    values of all energies on it. One that fails leaves the others alone: its report is {"energy": ..., "error": sentence}.
+
+    energies  which, and in which order; all by default
+    edges, faces, options  those of fill()
+    Raises FairingError where none succeeds.
+    """
+    request, brep = _fill_request(edges, faces=faces, **options), exchange.data_of(shape)
+    solved = list(solve_each(request, brep, energies))
+    if solved and not any(item.fill for item in solved):
+        raise solved[0].error
+    return [item.report() for item in solved]
+
+
+def curvature_picture(shape: Part.Shape, quantity: str = "mean", *, faces: Iterable[subelements.Pick] = (),
+                      divisions: int = 64) -> tuple:
+    """Faces as triangles with their curvature at every vertex, exact there: points (n x 3), triangles (m x 3), values (n).
+
+    quantity   "mean" (H, 1/mm), "gauss" (K, 1/mm^2), "k1", "k2" (the principal curvatures, k1 >= k2, 1/mm) or
+               "mean-gradient" (|grad H|, 1/mm^2); positive where a face bends towards its normal
+    faces      "Face3" or 3; none: all
+    divisions  edges of triangles are no longer than the diagonal of the faces over it
+    Raises ValueError for another quantity, FairingError for a face that is not there.
+    """
+    column = QUANTITIES.index(quantity)
+    picture = exchange.native_shape(shape).curvature_picture(list(subelements.only_faces(faces)), divisions)
+    points, _, triangles = picture.mesh()
+    return points, triangles, picture.values()[:, column]
 
 
 def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
@@ -138,6 +170,13 @@ def report(shape: Part.Shape, patches: Part.Shape, edges: Iterable[subelements.P
         native.module().Shape(exchange.data_of(patches)), edges=list(request.edges), faces=list(request.faces),
         continuity=continuity, edge_continuity=dict(request.edge_continuity), tolerance=gap_tolerance,
         angle=angle_tolerance)
+
+
+def _fill_request(edges, *, faces=(), edge_continuity=None, reference=None, guide=(), through=(),
+                  **options) -> FillRequest:
+    return FillRequest.of(_edge_names(edges) + _face_names(faces), edge_continuity,
+                          reference=exchange.data_of(reference) if reference else None, guide=guide_text(guide),
+                          through=tuple(_through(item) for item in through), **options)
 
 
 def _through(item):

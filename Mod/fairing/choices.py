@@ -121,4 +121,4 @@ class Recent:
         return made
 
 
-SOLVED = Recent(size=4)
+SOLVED = Recent(size=len(ENERGIES) + 2)  # a comparison, and what was before it

@@ -47,6 +47,18 @@ def current_face() -> Optional[Picks]:
     return picks if picks and subelements.is_face(picks.names[0]) else None
 
 
+def current_shapes() -> list[tuple[App.DocumentObject, list[str]]]:
+    """What may be looked at: selected faces, object by object, and objects as a whole (no names); with nothing selected
+    all that is visible and has a shape. Empty where something else is selected."""
+    selected = Gui.Selection.getSelectionEx()
+    if not selected:
+        shown = [obj for obj in App.ActiveDocument.Objects if has_shape(obj) and obj.ViewObject.Visibility]
+        return [(obj, []) for obj in shown]
+    picks = [(item.Object, [subelements.local_name(name) for name in item.SubElementNames]) for item in selected]
+    understood = all(has_shape(obj) and all(map(subelements.is_face, names)) for obj, names in picks)
+    return picks if understood else []
+
+
 def current_edges() -> list[tuple[App.DocumentObject, list[str]]]:
     """The edges a blend can start from, object by object in the order of selection; empty where something else, or
     fewer than two, are selected."""

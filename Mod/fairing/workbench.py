@@ -20,6 +20,7 @@ def icon(name: str) -> str:
 def register_commands() -> list[str]:
     """Names of the commands in the order of the toolbar."""
     from .commands.blend_faces import BlendFacesCommand
+    from .commands.curvature_picture import CurvaturePictureCommand
     from .commands.edit_surface import EditSurfaceCommand
     from .commands.fill_all_holes import FillAllHolesCommand
     from .commands.fill_hole import FillHoleCommand
@@ -27,7 +28,7 @@ def register_commands() -> list[str]:
     import FreeCADGui as Gui
 
     commands = [FillHoleCommand(), FillAllHolesCommand(), BlendFacesCommand(), EditSurfaceCommand(),
-                ReconnectCommand()]
+                CurvaturePictureCommand(), ReconnectCommand()]
     # The macro recorder writes `import <file that added the command>` into every macro: let that be the package.
     add = compile("add(command.NAME, command)", "fairing.py", "exec")
     for command in commands:
@@ -39,11 +40,13 @@ def context_commands() -> list[str]:
     """Names of the commands in the 3D view's context menu: those that make something of what is selected."""
     from . import selection
     from .commands.blend_faces import BlendFacesCommand
+    from .commands.curvature_picture import CurvaturePictureCommand
     from .commands.edit_surface import EditSurfaceCommand
     from .commands.fill_hole import FillHoleCommand
 
     return ([FillHoleCommand.NAME] + [BlendFacesCommand.NAME] * bool(selection.current_edges())
-            + [EditSurfaceCommand.NAME] * bool(selection.current_face()))
+            + [EditSurfaceCommand.NAME] * bool(selection.current_face())
+            + [CurvaturePictureCommand.NAME] * bool(selection.current_shapes()))
 
 
 def start(workbench) -> None:

@@ -744,6 +744,14 @@
    <source> points</source>
    <translation> Punkte</translation>
   </message>
+  <message>
+   <source>Compare…</source>
+   <translation>Vergleichen…</translation>
+  </message>
+  <message>
+   <source>Make the surface with every energy, and show values and shapes side by side</source>
+   <translation>Die Fläche mit jeder Energie machen, Werte und Formen nebeneinander zeigen</translation>
+  </message>
  </context>
  <context>
   <name>FairingPreferences</name>
@@ -1149,6 +1157,14 @@
    <source>{0} from the face as it was</source>
    <translation>{0} von der Fläche, wie sie war</translation>
   </message>
+  <message>
+   <source>Point at the picture to read its values.</source>
+   <translation>Auf das Bild zeigen, um seine Werte zu lesen.</translation>
+  </message>
+  <message>
+   <source>What is selected has no faces with a surface.</source>
+   <translation>Was ausgewählt ist, hat keine Flächen.</translation>
+  </message>
  </context>
  <context>
   <name>Fairing_BlendFaces</name>
@@ -1425,6 +1441,211 @@
   <message>
    <source>Shape a face anew by normals, curves and other surfaces, its border kept: pick the face</source>
    <translation>Eine Fläche nach Normalen, Kurven und anderen Flächen neu formen, ihr Rand bleibt: die Fläche anklicken</translation>
+  </message>
+ </context>
+ <context>
+  <name>FairingPicture</name>
+  <message>
+   <source>Picture</source>
+   <translation>Bild</translation>
+  </message>
+  <message>
+   <source>Curvature</source>
+   <translation>Krümmung</translation>
+  </message>
+  <message>
+   <source>No picture</source>
+   <translation>Kein Bild</translation>
+  </message>
+  <message>
+   <source>Mean curvature H</source>
+   <translation>Mittlere Krümmung H</translation>
+  </message>
+  <message>
+   <source>Gaussian curvature K</source>
+   <translation>Gaußsche Krümmung K</translation>
+  </message>
+  <message>
+   <source>Greater principal curvature κ₁</source>
+   <translation>Größere Hauptkrümmung κ₁</translation>
+  </message>
+  <message>
+   <source>Smaller principal curvature κ₂</source>
+   <translation>Kleinere Hauptkrümmung κ₂</translation>
+  </message>
+  <message>
+   <source>Change of mean curvature |∇H|</source>
+   <translation>Änderung der mittleren Krümmung |∇H|</translation>
+  </message>
+  <message>
+   <source>Zebra</source>
+   <translation>Zebra</translation>
+  </message>
+  <message>
+   <source>Auto</source>
+   <translation>Auto</translation>
+  </message>
+  <message>
+   <source>The unit of both numbers</source>
+   <translation>Die Einheit beider Zahlen</translation>
+  </message>
+  <message>
+   <source>Stripes</source>
+   <translation>Streifen</translation>
+  </message>
+  <message>
+   <source>Show the curvature of the surface and of its neighbours in colours, or the stripes that light lines leave on a mirror. Curvatures are positive where a face bends towards its normal. Default: No picture</source>
+   <translation>Die Krümmung der Fläche und ihrer Nachbarn in Farben zeigen, oder die Streifen, die Lichtlinien auf einem Spiegel hinterlassen. Krümmungen sind positiv, wo eine Fläche sich zu ihrer Normalen hin biegt. Voreinstellung: Kein Bild</translation>
+  </message>
+  <message>
+   <source>Let the colours span what nearly all of the surface has. Default: on</source>
+   <translation>Die Farben umfassen, was fast die ganze Fläche hat. Voreinstellung: an</translation>
+  </message>
+  <message>
+   <source>Number of dark and light stripes round the part. Default: 24</source>
+   <translation>Zahl der dunklen und hellen Streifen rund um das Teil. Voreinstellung: 24</translation>
+  </message>
+  <message>
+   <source>What the colours stand for</source>
+   <translation>Wofür die Farben stehen</translation>
+  </message>
+  <message>
+   <source>What the colour at the left stands for. A number typed in takes the place of the automatic one</source>
+   <translation>Wofür die Farbe links steht. Eine eingetippte Zahl tritt an die Stelle der automatischen</translation>
+  </message>
+  <message>
+   <source>What the colour at the right stands for. A number typed in takes the place of the automatic one</source>
+   <translation>Wofür die Farbe rechts steht. Eine eingetippte Zahl tritt an die Stelle der automatischen</translation>
+  </message>
+  <message>
+   <source>The values of the surface itself where the mouse rests; text to copy</source>
+   <translation>Die Werte der Fläche selbst, wo die Maus ruht; Text zum Kopieren</translation>
+  </message>
+  <message>
+   <source>What is shown. Select other faces or objects to see theirs</source>
+   <translation>Was gezeigt wird. Andere Flächen oder Objekte auswählen, um deren Krümmung zu sehen</translation>
+  </message>
+ </context>
+ <context>
+  <name>FairingCompare</name>
+  <message>
+   <source>Compare Energies</source>
+   <translation>Energien vergleichen</translation>
+  </message>
+  <message>
+   <source>The same surface with every energy. A click on a row shows it in the 3D view; the least value of a column is bold</source>
+   <translation>Dieselbe Fläche mit jeder Energie. Ein Klick auf eine Zeile zeigt sie in der 3D-Ansicht; der kleinste Wert einer Spalte ist fett</translation>
+  </message>
+  <message>
+   <source>Energy</source>
+   <translation>Energie</translation>
+  </message>
+  <message>
+   <source>Gap</source>
+   <translation>Spalt</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Winkel</translation>
+  </message>
+  <message>
+   <source>Curv.</source>
+   <translation>Krümm.</translation>
+  </message>
+  <message>
+   <source>Thin plate</source>
+   <translation>Dünne Platte</translation>
+  </message>
+  <message>
+   <source>κ₁² + κ₂²</source>
+   <translation>κ₁² + κ₂²</translation>
+  </message>
+  <message>
+   <source>|∇H|²</source>
+   <translation>|∇H|²</translation>
+  </message>
+  <message>
+   <source>MVS</source>
+   <translation>MVS</translation>
+  </message>
+  <message>
+   <source>s</source>
+   <translation>s</translation>
+  </message>
+  <message>
+   <source>What the surface minimises. The sign tells whether it meets its neighbours within the tolerances</source>
+   <translation>Was die Fläche minimiert. Das Zeichen sagt, ob sie ihre Nachbarn innerhalb der Toleranzen trifft</translation>
+  </message>
+  <message>
+   <source>Largest distance of an edge from the surface</source>
+   <translation>Größter Abstand einer Kante von der Fläche</translation>
+  </message>
+  <message>
+   <source>Largest angle to the neighbouring faces</source>
+   <translation>Größter Winkel zu den Nachbarflächen</translation>
+  </message>
+  <message>
+   <source>Largest relative difference of the curvatures across edges that are to be met in G2</source>
+   <translation>Größter relativer Unterschied der Krümmungen quer zu Kanten, die mit G2 getroffen werden sollen</translation>
+  </message>
+  <message>
+   <source>Integral over the parameters of |R_uu|² + 2 |R_uv|² + |R_vv|², mm²</source>
+   <translation>Integral über die Parameter von |R_uu|² + 2 |R_uv|² + |R_vv|², mm²</translation>
+  </message>
+  <message>
+   <source>Total curvature: integral of κ₁² + κ₂² over the surface</source>
+   <translation>Gesamtkrümmung: Integral von κ₁² + κ₂² über die Fläche</translation>
+  </message>
+  <message>
+   <source>Integral of the squared change of mean curvature over the surface, 1/mm²</source>
+   <translation>Integral der quadrierten Änderung der mittleren Krümmung über die Fläche, 1/mm²</translation>
+  </message>
+  <message>
+   <source>Minimum variation: integral of the squared changes of the principal curvatures along their own lines, 1/mm²</source>
+   <translation>Minimale Variation: Integral der quadrierten Änderungen der Hauptkrümmungen entlang ihrer eigenen Linien, 1/mm²</translation>
+  </message>
+  <message>
+   <source>Seconds it took</source>
+   <translation>Sekunden, die es dauerte</translation>
+  </message>
+  <message>
+   <source>The surfaces are being computed</source>
+   <translation>Die Flächen werden berechnet</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Stop computing; what is there stays</source>
+   <translation>Die Berechnung anhalten; was da ist, bleibt</translation>
+  </message>
+  <message>
+   <source>Use</source>
+   <translation>Nehmen</translation>
+  </message>
+  <message>
+   <source>Take the energy of the selected row</source>
+   <translation>Die Energie der ausgewählten Zeile nehmen</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <translation>Schließen</translation>
+  </message>
+  <message>
+   <source>Keep the energy as it is</source>
+   <translation>Die Energie lassen, wie sie ist</translation>
+  </message>
+ </context>
+ <context>
+  <name>Fairing_CurvaturePicture</name>
+  <message>
+   <source>Curvature Picture</source>
+   <translation>Krümmungsbild</translation>
+  </message>
+  <message>
+   <source>Show the curvature of faces in colours, or the stripes that light lines leave on them, and read its values: select faces or objects, or nothing for all that is visible</source>
+   <translation>Die Krümmung von Flächen in Farben zeigen, oder die Streifen, die Lichtlinien auf ihnen hinterlassen, und ihre Werte ablesen: Flächen oder Objekte auswählen, oder nichts für alles Sichtbare</translation>
   </message>
  </context>
 </TS>

@@ -222,6 +222,29 @@ Result<int> EditArguments::number() const {
   return numbers->front();
 }
 
+void CompareArguments::addTo(CLI::App& command) {
+  command.add_option("SHAPE", shape, "the shape with the hole, .brep or .step")->required();
+  picks.addTo(command);
+  addList(command, "--energies", energies, "which to compare (default: all)");
+  command.add_option("--layout", layout, "auto, quad, star, o-grid or trimmed (default auto)");
+  guide.addTo(command);
+  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
+  command.add_option("--max-poles",
+                     maxPoles,
+                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
+  command.add_option("--report", report, "JSON file for the numbers");
+}
+
+Result<FillOptions> CompareArguments::options() const {
+  FillArguments fill;
+  fill.picks = picks;
+  fill.layout = layout;
+  fill.guide = guide;
+  fill.solve.degree = degree;
+  fill.solve.maxPoles = maxPoles;
+  return fill.options();
+}
+
 void ReportArguments::addTo(CLI::App& command) {
   command.add_option("SHAPE", shape, "the shape with the hole, .brep or .step")->required();
   command.add_option("PATCHES", patches, "the faces that fill it, .brep or .step")->required();

@@ -110,6 +110,20 @@ struct EditArguments {
   [[nodiscard]] Result<int> number() const;
 };
 
+/// The same fill with several energies.
+struct CompareArguments {
+  std::string shape, report, layout = "auto";
+  std::vector<std::string> energies;  ///< none: all
+  PickArguments picks;
+  GuideArguments guide;
+  int degree = 0, maxPoles = FillOptions{}.maxPoles;
+
+  void addTo(CLI::App& command);
+  /// But for the energy. Reads the reference and the guide file, too. Fails with UnknownChoice,
+  /// the codes of validate() and readGuidance().
+  [[nodiscard]] Result<FillOptions> options() const;
+};
+
 struct ReportArguments {
   std::string shape, patches, report;
   PickArguments picks;

@@ -14,6 +14,7 @@ enum class Outcome {
 [[nodiscard]] Outcome runFill(const FillArguments& arguments);
 [[nodiscard]] Outcome runBlend(const BlendArguments& arguments);
 [[nodiscard]] Outcome runEdit(const EditArguments& arguments);
+[[nodiscard]] Outcome runCompare(const CompareArguments& arguments);
 [[nodiscard]] Outcome runReport(const ReportArguments& arguments);
 
 }  // namespace fairing::cli

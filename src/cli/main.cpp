@@ -27,6 +27,11 @@ Outcome run(int argc, char** argv) {
       app.add_subcommand("report", "measure faces against the hole they fill");
   report.addTo(*reportCommand);
 
+  fairing::cli::CompareArguments compare;
+  CLI::App* compareCommand =
+      app.add_subcommand("compare", "fill a hole with every energy and compare the shapes");
+  compare.addTo(*compareCommand);
+
   fairing::cli::BlendArguments blend;
   CLI::App* blendCommand = app.add_subcommand("blend", "join two chains of edges by a strip");
   blend.addTo(*blendCommand);
@@ -46,6 +51,7 @@ Outcome run(int argc, char** argv) {
     return Outcome::NothingWritten;
   }
   if (*fillCommand) return fairing::cli::runFill(fill);
+  if (*compareCommand) return fairing::cli::runCompare(compare);
   if (*reportCommand) return fairing::cli::runReport(report);
   if (*editCommand) return fairing::cli::runEdit(edit);
   return fairing::cli::runBlend(blend);

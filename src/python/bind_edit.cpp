@@ -8,6 +8,7 @@
 #include "python/edit_mesh.h"
 #include "python/guided_methods.h"
 #include "python/mesh_arrays.h"
+#include "python/picture.h"
 #include "text/edit_text.h"
 #include "text/words.h"
 
@@ -68,6 +69,14 @@ void bindEdit(py::module_& module, py::class_<ShapeIndex>& shape) {
            py::arg("divisions") = 32,
            "Triangles of the new face for drawing: points and unit normals (float32, n x 3), "
            "triangles (int32, m x 3).")
+      .def(
+          "curvature_picture",
+          [](const ShapeEdit& edit, int divisions) {
+            const py::gil_scoped_release release;
+            return pictureOf(edit, divisions);
+          },
+          py::arg("divisions") = 32,
+          "The curvature of the new face as a picture, as fine as a grid of divisions x divisions.")
       .def_property_readonly(
           "report",
           [](const ShapeEdit& edit) { return objectOf(text::toJson(edit.edit).dump()); },

@@ -6,6 +6,7 @@
 #include "python/fill_mesh.h"
 #include "python/guided_methods.h"
 #include "python/mesh_arrays.h"
+#include "python/picture.h"
 #include "text/report_json.h"
 #include "text/report_text.h"
 
@@ -45,6 +46,14 @@ void bindFill(py::module_& module) {
            py::arg("divisions") = 32,
            "Triangles for drawing: points and unit normals (float32, n x 3), triangles (int32, m x "
            "3).")
+      .def(
+          "curvature_picture",
+          [](const ShapeFill& fill, int divisions) {
+            const py::gil_scoped_release release;
+            return pictureOf(fill.fill, divisions);
+          },
+          py::arg("divisions") = 32,
+          "Its curvature as a picture, each patch as fine as a grid of divisions x divisions.")
       .def_property_readonly(
           "report", &report, "Everything measured, as a dict: lengths in mm, angles in degrees.")
       .def_property_readonly(

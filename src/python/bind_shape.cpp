@@ -2,8 +2,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <optional>
 
+#include "occt/curvature_picture.h"
 #include "occt/find_holes.h"
 #include "occt/find_loop.h"
 #include "occt/measure_shape.h"
@@ -148,6 +150,16 @@ void bindShape(py::module_& module) {
            tolerance,
            angle,
            "The report on any faces that are to fill that hole, as a dict.");
+  shape.def(
+      "curvature_picture",
+      [](const ShapeIndex& index, const std::vector<int>& faces, int divisions) {
+        const py::gil_scoped_release release;
+        return valueOf(occt::curvaturePicture(index, faces, std::max(divisions, 1)));
+      },
+      noFaces,
+      py::arg("divisions") = 64,
+      "The curvature of faces (none: all) as a picture: no edge of a triangle is longer than the "
+      "diagonal of them all over divisions. The GIL is released. Raises FairingError.");
   bindFilling(shape);
   bindBlend(module, shape);
   bindEdit(module, shape);

@@ -13,6 +13,8 @@ void bindProgress(pybind11::module_& module);
 void bindFill(pybind11::module_& module);
 void bindFillAll(pybind11::module_& module);
 void bindShape(pybind11::module_& module);
+/// The type CurvaturePicture.
+void bindPicture(pybind11::module_& module);
 /// What prepares guides: mesh_faces and guide_curve.
 void bindGuides(pybind11::module_& module);
 /// The methods fill and fill_all of Shape.

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_fairing, module) {
   module.attr("occt_version") = OCC_VERSION_COMPLETE;
   fairing::python::bindErrors(module);
   fairing::python::bindProgress(module);
+  fairing::python::bindPicture(module);
   fairing::python::bindFill(module);
   fairing::python::bindFillAll(module);
   fairing::python::bindShape(module);

@@ -75,8 +75,10 @@ json toJson(const analysis::Note& note) {
 
 json toJson(const analysis::FairnessReport& fairness) {
   return {{"area", fairness.area},
+          {"thin_plate", fairness.thinPlate},
           {"total_curvature", fairness.totalCurvature},
           {"mean_curvature_gradient", fairness.meanCurvatureGradient},
+          {"minimum_variation", fairness.minimumVariation},
           {"largest_curvature", fairness.largestCurvature}};
 }
 

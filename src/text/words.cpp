@@ -34,6 +34,14 @@ constexpr Words<boundary::MatchKind, 3> kMatches{{{boundary::MatchKind::Auto, "a
                                                   {boundary::MatchKind::Length, "length"},
                                                   {boundary::MatchKind::Corners, "corners"}}};
 
+using analysis::CurvatureQuantity;
+constexpr Words<CurvatureQuantity, 5> kQuantities{
+    {{CurvatureQuantity::Mean, "mean"},
+     {CurvatureQuantity::Gauss, "gauss"},
+     {CurvatureQuantity::K1, "k1"},
+     {CurvatureQuantity::K2, "k2"},
+     {CurvatureQuantity::MeanGradient, "mean-gradient"}}};
+
 template <class T, std::size_t n>
 std::string_view find(const Words<T, n>& words, T value) {
   for (const auto& [known, text] : words) {
@@ -67,6 +75,15 @@ std::string_view word(boundary::Departure departure) {
 std::string_view word(boundary::MatchKind match) {
   return find(kMatches, match);
 }
+std::string_view word(analysis::CurvatureQuantity quantity) {
+  return find(kQuantities, quantity);
+}
+
+std::vector<EnergyKind> allEnergies() {
+  std::vector<EnergyKind> all;
+  for (const auto& [energy, word] : kEnergies) all.push_back(energy);
+  return all;
+}
 
 std::optional<Continuity> continuityFrom(std::string_view text) {
   return find(kContinuities, text);
@@ -82,6 +99,9 @@ std::optional<boundary::Departure> departureFrom(std::string_view text) {
 }
 std::optional<boundary::MatchKind> matchFrom(std::string_view text) {
   return find(kMatches, text);
+}
+std::optional<analysis::CurvatureQuantity> quantityFrom(std::string_view text) {
+  return find(kQuantities, text);
 }
 
 }  // namespace fairing::text

@@ -2,7 +2,9 @@
 #pragma once
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "core/analysis/curvature_picture.h"
 #include "core/boundary/chain_match.h"
 #include "core/boundary/continuity.h"
 #include "core/boundary/departure.h"
@@ -19,11 +21,16 @@ namespace fairing::text {
 [[nodiscard]] std::string_view word(boundary::Departure departure);  ///< "free", "iso", ...
 
 [[nodiscard]] std::string_view word(boundary::MatchKind match);  ///< "auto", "length", "corners"
+[[nodiscard]] std::string_view word(analysis::CurvatureQuantity quantity);  ///< "mean", "k1", ...
+
+/// Every energy, in the order they are told in.
+[[nodiscard]] std::vector<EnergyKind> allEnergies();
 
 [[nodiscard]] std::optional<Continuity> continuityFrom(std::string_view text);
 [[nodiscard]] std::optional<EnergyKind> energyFrom(std::string_view text);
 [[nodiscard]] std::optional<LayoutKind> layoutFrom(std::string_view text);
 [[nodiscard]] std::optional<boundary::Departure> departureFrom(std::string_view text);
 [[nodiscard]] std::optional<boundary::MatchKind> matchFrom(std::string_view text);
+[[nodiscard]] std::optional<analysis::CurvatureQuantity> quantityFrom(std::string_view text);
 
 }  // namespace fairing::text

@@ -21,7 +21,7 @@ STAGES = {
     "core/solver": ["core/base"],
     "core/assembly": ["core/base", "core/spline", "core/boundary", "core/layout", "core/constraint",
                       "core/energy", "core/shape_energy", PROGRAM],
-    "core/analysis": ["core/base", "core/spline", "core/boundary", "core/energy"],
+    "core/analysis": ["core/base", "core/spline", "core/boundary", "core/energy", "core/shape_energy"],
     "core/height_field": ["core/base", "core/spline", "core/boundary", "core/constraint", "core/energy"],
     "core/span": ["core/base", "core/spline", "core/boundary", "core/layout", "core/constraint", "core/energy",
                   "core/shape_energy", "core/solver", "core/assembly", "core/analysis", "core/height_field/trim.h"],

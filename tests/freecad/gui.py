@@ -139,14 +139,24 @@ def key(name):
     pump(0.2)
 
 
-def click(view, point, modifier=None):
-    """A click of the real mouse onto a point of the model."""
+def hover(view, point):
+    """The real mouse comes to rest on a point of the model."""
     x, y = _window_position(view, point)
     window = str(int(Gui.getMainWindow().winId()))
     subprocess.check_call(["xdotool", "mousemove", "--window", window, str(x - 3), str(y - 3)])
     pump(0.2)
     subprocess.check_call(["xdotool", "mousemove", "--window", window, str(x), str(y)])
     pump(0.3)
+
+
+def color_at(view, point):
+    """Red, green and blue of the window, 0 to 255, where a point of the model is drawn."""
+    return _screen().toImage().pixelColor(*_window_position(view, point)).getRgb()[:3]
+
+
+def click(view, point, modifier=None):
+    """A click of the real mouse onto a point of the model."""
+    hover(view, point)
     hold = ["keydown", modifier] if modifier else []
     subprocess.check_call(["xdotool", *hold, "click", "1", *(["keyup", modifier] if modifier else [])])
     pump(0.4)

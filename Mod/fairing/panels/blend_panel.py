@@ -12,10 +12,10 @@ from ..features.blend_sides import Side
 from ..translation import translate
 from .blend_display import BlendDisplay
 from .blend_session import CHOICES, FROM, TO, BlendSession
+from .compared_panel import ComparedPanel
 from .edge_panel import EdgePanel
 from .ends_list import EndsList
 from .fill_choices import LimitChoices
-from .guided_panel import GuidedPanel
 from .more_choices import MoreChoices
 from .pair_list import PairList
 from .reach_rows import ReachRows
@@ -25,7 +25,7 @@ from .side_tables import SideTables
 from .status import Status
 
 
-class BlendPanel(GuidedPanel, EdgePanel):
+class BlendPanel(ComparedPanel, EdgePanel):
     """Connects a BlendSession with its form."""
 
     FORM, BOX, ICON, MAKE_CHOICES = "blend_faces.ui", "sidesBox", "Fairing_BlendFaces.svg", LimitChoices
@@ -117,6 +117,7 @@ class BlendPanel(GuidedPanel, EdgePanel):
         self._idle()  # what still runs is of another reach
         self._result, self._kept = None, reached[0]
         self._say(*self._show_surface(*reached))
+        self._draw_picture(reached[0])
         self._settled.start()
 
     def _show_guided(self, blend, mesh) -> None:

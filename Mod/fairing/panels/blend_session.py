@@ -149,18 +149,18 @@ class BlendSession(GuidedSession):
             return
         self.problem = self.problem or self._chains.problem
 
-    def job(self):
-        """What a background thread computes: the native Blend and its mesh. Touches plain data only."""
+    def asked(self) -> tuple:
+        """The request, and BREP of the shape it is about."""
         idle = {} if self.is_strip else dict.fromkeys(("from_curve", "to_curve", "ends", "end_faces"), ())
         idle.update({} if self.is_junction else {"cuts": ()})
         idle.update(reference=self.request.reference, guide=self.request.guide)
-        request, brep = self._chains.sides.request(**self.choices(), **idle), self._chains.brep
+        return self._chains.sides.request(**self.choices(), **idle), self._chains.brep
 
-        def solve(progress):
-            blend = request.solve(brep, progress)
-            return blend, blend.mesh(MESH_POINTS)
-
-        return solve
+    def neighbours(self, report: dict) -> tuple[bytes, list[int]]:
+        asked = self.choices()
+        is_cut = asked["from_setback"] > 0.0 or asked["to_setback"] > 0.0 or any(self.asked_curves)
+        faces = set() if is_cut else {side["face"] for side in report["sides"]}  # set back, they are other ones
+        return self._chains.brep, sorted(faces - {0})
 
     def keep(self, blend) -> None:
         """Keeps what the last job made, for what needs a blend before another is asked for."""

@@ -49,6 +49,13 @@ class EditSession(GuidedSession):
         if self.obj is None:
             self.change(result="base" if len(shape_in(None, base).Faces) > 1 else "patches")
 
+    def neighbours(self, report: dict) -> tuple[bytes, list[int]]:
+        """The faces that have an edge of the face."""
+        faces = shape_in(self.container, self.base).Faces
+        own = {edge.hashCode() for edge in faces[self.request.face - 1].Edges}
+        return self._brep, [number for number, face in enumerate(faces, 1)
+                            if number != self.request.face and own & {edge.hashCode() for edge in face.Edges}]
+
     def commit(self) -> None:
         """Writes the edit into the document as one step to undo, by commands the macro recorder understands."""
         if self.obj is None:

@@ -52,6 +52,7 @@ class FillAllPanel(SolvingPanel):
 
     def _set_up(self) -> None:
         ui, session = self._ui, self._session
+        self._choices_ui.compareButton.hide()  # it is about one surface
         self._shown: Optional[list[list[int]]] = None
         self._fills: list = []
         self._table = HolesTable(ui.holesTable)

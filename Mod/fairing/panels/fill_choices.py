@@ -14,6 +14,18 @@ ANGLE_STEP = 0.01  # degrees, of the arrows beside the number
 TYPING_PAUSE = 250  # ms without a key before a typed number counts
 
 
+def energy_sentences() -> tuple[str, ...]:
+    """On each of ENERGIES."""
+    return (
+        translate("Fairing", "Bends as little as possible."),
+        translate("Fairing", "Stretches as little as possible."),
+        translate("Fairing", "Changes its curvature as little as possible: fair and quick."),
+        translate("Fairing", "The same, taken to its minimum: slower."),
+        translate("Fairing", "Brings back spheres, cylinders, cones and tori. Slower."),
+        translate("Fairing", "Bends as little as possible, whatever the parameters. Slower."),
+    )
+
+
 class LimitChoices(QtCore.QObject):
     """Shows the choices of a session that any surface has, energy, result and limits, and writes the user's into it;
     the rest of the form is hidden. Emits changed()."""
@@ -24,6 +36,8 @@ class LimitChoices(QtCore.QObject):
     def __init__(self, ui, session):
         super().__init__(ui)
         self._ui, self._session = ui, session
+        for position, sentence in enumerate(energy_sentences()):
+            ui.energyCombo.setItemData(position, sentence, QtCore.Qt.ToolTipRole)
         self._pause = QtCore.QTimer(self)
         self._pause.setSingleShot(True)
         self._pause.setInterval(TYPING_PAUSE)
@@ -78,14 +92,7 @@ class LimitChoices(QtCore.QObject):
     def _show_hints(self, *_) -> None:
         """What depends on other choices: sentences, labels, what is enabled."""
         ui = self._ui
-        ui.energyHint.setText((
-            translate("Fairing", "Bends as little as possible."),
-            translate("Fairing", "Stretches as little as possible."),
-            translate("Fairing", "Changes its curvature as little as possible: fair and quick."),
-            translate("Fairing", "The same, taken to its minimum: slower."),
-            translate("Fairing", "Brings back spheres, cylinders, cones and tori. Slower."),
-            translate("Fairing", "Bends as little as possible, whatever the parameters. Slower."),
-        )[ui.energyCombo.currentIndex()])
+        ui.energyHint.setText(energy_sentences()[ui.energyCombo.currentIndex()])
         ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
 
 

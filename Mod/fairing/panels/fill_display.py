@@ -63,6 +63,10 @@ class FillDisplay:
         self._preview.show_surface(mesh)
         self.guide_handles.use_mesh(mesh)
 
+    def give_way(self, to_picture: bool) -> None:
+        """Whether a picture of its curvature stands for the surface."""
+        self._preview.give_way(to_picture)
+
     def show_guidance(self, fill, with_field: bool, with_net: bool) -> None:
         """What guides a native result, and its control points, where they are wanted."""
         drawing = self._preview.guidance

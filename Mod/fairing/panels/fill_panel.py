@@ -10,13 +10,13 @@ import FreeCAD as App
 from .. import selection, settings
 from ..fill_request import FillRequest
 from .boundary_table import BoundaryTable
+from .compared_panel import ComparedPanel
 from .edge_panel import EdgePanel
 from .fill_session import FillSession
-from .guided_panel import GuidedPanel
 from .through_list import ThroughList
 
 
-class FillPanel(GuidedPanel, EdgePanel):
+class FillPanel(ComparedPanel, EdgePanel):
     """Connects a FillSession with its form."""
 
     FORM, BOX, ICON = "fill_hole.ui", "boundaryBox", "Fairing_FillHole.svg"

@@ -10,20 +10,18 @@ import FreeCADGui as Gui
 
 from .. import paths
 from ..features.guides import NormalHandle
-from . import task_boxes
 from .guidance_box import GuidanceBox
-from .solving_panel import SolvingPanel
+from .pictured_panel import PicturedPanel
 from .status import Status
 
 
 LONGEST_STEP = 0.15  # s the window may stand still for a surface that follows
 
 
-class GuidedPanel(SolvingPanel):
+class GuidedPanel(PicturedPanel):
     """A GuidedSession's panel. `_kept` is the native result that other weights and handles start from."""
 
     _kept = None
-    _has_folded = False
     _is_slow = False  # a step took too long for the surface to follow
 
     def _make_boxes(self) -> list:
@@ -85,6 +83,7 @@ class GuidedPanel(SolvingPanel):
         report = fill.report
         self._say(*self._judge(fill, report))
         self._display.show_mesh(mesh)
+        self._draw_picture(fill)
         self._display.show_guidance(fill, guidance.shows_field, guidance.shows_net)
         guidance.show_followed(*self._followed(report))
 
@@ -93,10 +92,12 @@ class GuidedPanel(SolvingPanel):
         shown = super()._show_result(value)
         self._guidance.show_report(self._kept.report, *self._followed(self._kept.report))
         self._draw_guides()
+        self._draw_picture(self._kept)
         return shown
 
     def _show_nothing(self) -> None:
         super()._show_nothing()
+        self._draw_picture(None)
         self._guidance.show_report(None)
         self._draw_handles()
 
@@ -111,9 +112,8 @@ class GuidedPanel(SolvingPanel):
 
     def _make_way(self) -> None:
         """Once the surface is guided the limits, rarely needed then, fold away, so that nothing scrolls."""
-        if self._session.is_guided and not self._has_folded:
-            self._has_folded = True
-            task_boxes.fold(self.form[-1])
+        if self._session.is_guided:
+            self._fold_limits()
 
     def _draw_handles(self) -> None:
         session = self._session

@@ -45,13 +45,22 @@ class GuidedSession:
 
     def job(self):
         """What a background thread computes: the native result and its mesh. Touches plain data only."""
-        request, brep = self.request, self._brep
+        request, brep = self.asked()
 
         def solve(progress):
             made = request.solve(brep, progress)
             return made, made.mesh(MESH_POINTS)
 
         return solve
+
+    def neighbours(self, report: dict) -> tuple[bytes, list[int]]:
+        """The faces that a result with this report meets: BREP and their numbers in it, none where they are not to be
+        drawn beside it."""
+        return self._brep, sorted({side["face"] for side in report["sides"]} - {0})
+
+    def asked(self) -> tuple:
+        """The request, and BREP of the shape it is about."""
+        return self.request, self._brep
 
     def set_reference(self, reference) -> None:
         """[(object, [names])]. Raises ValueError where one holds nothing that guides, and then all is as before."""

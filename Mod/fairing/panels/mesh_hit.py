@@ -8,13 +8,13 @@ from typing import Optional
 import numpy as np
 
 
-def first_hit(mesh, start, direction) -> Optional[tuple[np.ndarray, np.ndarray]]:
-    """Point and unit normal where a ray first meets a mesh, (points, normals, triangles) as the native module gives it;
-    None where it does not.
+def nearest_triangle(mesh, start, direction) -> Optional[tuple[float, int, float, float]]:
+    """Where a ray first meets a mesh, (points, normals, triangles) as the native module gives it: t, the triangle's
+    number, and the shares a and b of its second and third corner; None where it does not.
 
     start + t direction = (1 - a - b) p0 + a p1 + b p2 for all triangles at once, by Cramer's rule.
     """
-    points, normals, triangles = mesh
+    points, _, triangles = mesh
     start, direction = np.asarray(start, float), np.asarray(direction, float)
     corners = np.asarray(points, float)[triangles]
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -30,6 +30,15 @@ def first_hit(mesh, start, direction) -> Optional[tuple[np.ndarray, np.ndarray]]
     if not len(met):
         return None
     at = met[np.argmin(t[met])]
-    shares = np.array([1.0 - a[at] - b[at], a[at], b[at]])
-    normal = shares @ np.asarray(normals, float)[triangles[at]]
-    return start + t[at] * direction, normal / np.linalg.norm(normal)
+    return float(t[at]), int(at), float(a[at]), float(b[at])
+
+
+def first_hit(mesh, start, direction) -> Optional[tuple[np.ndarray, np.ndarray]]:
+    """Point and unit normal there."""
+    hit = nearest_triangle(mesh, start, direction)
+    if hit is None:
+        return None
+    t, triangle, a, b = hit
+    _, normals, triangles = mesh
+    normal = np.array([1.0 - a - b, a, b]) @ np.asarray(normals, float)[triangles[triangle]]
+    return np.asarray(start, float) + t * np.asarray(direction, float), normal / np.linalg.norm(normal)

@@ -13,6 +13,7 @@ TRANSPARENCY = 0.15
 MATCH_COLOR, DOTTED = (0.13, 0.15, 0.18), 0x3333
 EDGE_WIDTH, THICK_WIDTH = 4.0, 9.0  # pixels
 DEPTH_RANGE = (0.0, 0.9998)  # a touch nearer than the base's own edges, which would show through otherwise
+DEPTH_ON_PICTURE = (0.0, 0.9965)  # nearer than a picture of curvature
 
 
 class Preview:
@@ -26,7 +27,10 @@ class Preview:
         self._root.addChild(self._transform)
         self._surface = _Surface(color)
         self._edges = _Edges()
-        self._root.addChild(self._surface.root)
+        self._veil = coin.SoSwitch()
+        self._veil.addChild(self._surface.root)
+        self._veil.whichChild = coin.SO_SWITCH_ALL
+        self._root.addChild(self._veil)
         self._root.addChild(self._edges.root)
         self._matches = _Matches()
         self._root.addChild(self._matches.root)
@@ -45,6 +49,11 @@ class Preview:
 
     def hide_surface(self) -> None:
         self._surface.clear()
+
+    def give_way(self, to_picture: bool) -> None:
+        """Whether a picture of its curvature stands for the surface; its edges stay in sight."""
+        self._veil.whichChild = coin.SO_SWITCH_NONE if to_picture else coin.SO_SWITCH_ALL
+        self._edges.depth.range = DEPTH_ON_PICTURE if to_picture else DEPTH_RANGE
 
     def show_edges(self, lines, colors, thick=()) -> None:
         """Polylines (each n x 3), their colours, and the positions of those that stand out."""
@@ -101,15 +110,14 @@ class _Surface:
 
 class _Edges:
     def __init__(self):
-        self.root = coin.SoSeparator()
+        self.root, self.depth = coin.SoSeparator(), coin.SoDepthBuffer()
+        self.depth.range = DEPTH_RANGE
 
     def show(self, lines, colors, thick) -> None:
         self.root.removeAllChildren()
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
-        depth = coin.SoDepthBuffer()
-        depth.range = DEPTH_RANGE
-        for node in (light, depth):
+        for node in (light, self.depth):
             self.root.addChild(node)
         for position, (line, color) in enumerate(zip(lines, colors)):
             style, material = coin.SoDrawStyle(), coin.SoBaseColor()

@@ -43,3 +43,8 @@ def deviation_text(side: dict, limits: dict) -> str:
     if side["asked"] == "G2" and side["angle"]["max"] <= limits["angle"]:
         return percent_text(side["curvature"]["max"])
     return angle_text(max(side["angle"]["max"], side["corner_angle"]["max"]))
+
+
+def point_text(point) -> str:
+    """A place in mm."""
+    return "(" + ", ".join(f"{round(coordinate, 9) + 0.0:.5g}" for coordinate in point) + ") mm"

@@ -18,3 +18,13 @@ def set_vectors(field, vectors) -> None:
     start = field.startEditing()
     ctypes.memmove(int(start.this), numbers.ctypes.data, numbers.nbytes)
     field.finishEditing()
+
+
+def set_indices(field, indices) -> None:
+    """Copies whole numbers into a field of indices."""
+    numbers = np.ascontiguousarray(indices, np.int32)
+    field.setNum(len(numbers))
+    if not len(numbers):
+        return
+    ctypes.memmove(int(field.startEditing()), numbers.ctypes.data, numbers.nbytes)
+    field.finishEditing()

@@ -14,6 +14,7 @@ from PySide import QtCore, QtGui
 from .. import native, paths, settings
 from ..selection import Wanted
 from ..translation import translate
+from . import task_boxes
 from .background import BackgroundSolver
 from .fill_choices import FillChoices
 from .message import show_problem
@@ -23,7 +24,6 @@ from .status import Status
 LONGEST_STOP = 0.1  # s closing waits for a solve that was told to stop; then it ends by itself, unheard
 SHOWS_PROGRESS_AFTER = 0.15  # s: a bar that only flashes up is noise
 PAUSE = 250  # ms something dragged stays before what OK takes is solved
-NARROWEST = 320  # pixels of a dock that FreeCAD's three buttons fit into
 MARGINS = 60  # pixels left and right of the table, a scroll bar included
 
 
@@ -255,12 +255,8 @@ class SolvingPanel:
 
     def _make_room(self) -> None:
         """A dock too narrow for the buttons is widened: nothing of the panel is cut off."""
-        if self._is_closed:
-            return
-        window, needed = Gui.getMainWindow(), max(NARROWEST, self._needed_width() + MARGINS)
-        for dock in window.findChildren(QtGui.QDockWidget):
-            if dock.isAncestorOf(self.form[0]) and dock.width() < needed:
-                window.resizeDocks([dock], [needed], QtCore.Qt.Horizontal)
+        if not self._is_closed:
+            task_boxes.make_room(self.form[0], max(task_boxes.NARROWEST, self._needed_width() + MARGINS))
 
     def _needed_width(self) -> int:
         """Pixels for its table to show in full."""

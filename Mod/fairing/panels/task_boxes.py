@@ -3,9 +3,19 @@
 
 from __future__ import annotations
 
+import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 TASK_BOX = "Gui::TaskView::TaskBox"
+NARROWEST = 320  # pixels of a dock that FreeCAD's three buttons fit into
+
+
+def make_room(part: QtGui.QWidget, needed: int = NARROWEST) -> None:
+    """Widens the dock that a part of a panel is in to so many pixels, where it is narrower: nothing is cut off."""
+    window = Gui.getMainWindow()
+    for dock in window.findChildren(QtGui.QDockWidget):
+        if dock.isAncestorOf(part) and dock.width() < needed:
+            window.resizeDocks([dock], [needed], QtCore.Qt.Horizontal)
 
 
 def fold(part: QtGui.QWidget) -> None:

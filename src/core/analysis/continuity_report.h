@@ -129,9 +129,12 @@ struct CornerReport {
 
 /// Figures of the surface itself (area and curvature integrals).
 struct FairnessReport {
-  double area = 0.0;                   ///< mm^2
+  double area = 0.0;  ///< mm^2
+  double thinPlate =
+      0.0;  ///< integral over the parameters of |R_uu|^2 + 2 |R_uv|^2 + |R_vv|^2, mm^2
   double totalCurvature = 0.0;         ///< integral of k1^2 + k2^2, no unit
   double meanCurvatureGradient = 0.0;  ///< integral of |grad H|^2, 1/mm^2
+  double minimumVariation = 0.0;       ///< integral of (dk1/de1)^2 + (dk2/de2)^2, 1/mm^2
   double largestCurvature = 0.0;       ///< 1/mm
 };
 

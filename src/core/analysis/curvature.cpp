@@ -5,20 +5,23 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "core/spline/fundamental_forms.h"
-#include "core/spline/surface_grid.h"
 
 // With W^2 = EG - F^2 and the second form against R_u x R_v (fundamental_forms.h), that is times W:
 // q = E n - 2 F m + G l,   H = q / (2 W^3),   K = (l n - m^2) / W^4.
 
 namespace fairing::analysis {
-namespace {
 
 using Eigen::Vector3d;
 
-Curvature curvatureFrom(const spline::ThirdOrderJet& jet) {
+double Curvature::halfDifference() const {
+  return std::sqrt(std::max(0.0, mean * mean - gauss));
+}
+
+double Curvature::largest() const {
+  return std::abs(mean) + halfDifference();
+}
+
+Curvature curvatureOf(const spline::ThirdOrderJet& jet) {
   const auto [e, f, g, l, m, n] = spline::fundamentalForms(jet);
   const spline::FirstOrderJet en = e * n, fm = f * m, gl = g * l, eg = e * g, ff = f * f;
   const double w2 = eg.value - ff.value, w = std::sqrt(w2), w3 = w2 * w;
@@ -34,24 +37,8 @@ Curvature curvatureFrom(const spline::ThirdOrderJet& jet) {
   return c;
 }
 
-// Integrands are rational: four points a span give figures good to about 1e-3, wherever there are
-// spans enough.
-constexpr int kLeastOnSpan = 4;
-constexpr int kLeastOnPatch = 16;
-
-spline::GridLine gridLine(const spline::KnotVector& knots) {
-  const int spans = static_cast<int>(knots.breaks().size()) - 1;
-  return {knots, std::max(kLeastOnSpan, (kLeastOnPatch + spans - 1) / spans)};
-}
-
-}  // namespace
-
-double Curvature::largest() const {
-  return std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
-}
-
 Curvature curvatureAt(const spline::BsplineSurface& surface, double u, double v) {
-  return curvatureFrom(spline::thirdOrderJet(surface.derivatives(u, v, 3)));
+  return curvatureOf(spline::thirdOrderJet(surface.derivatives(u, v, 3)));
 }
 
 double normalCurvature(const spline::SurfaceJet& jet, const Vector3d& direction) {
@@ -63,26 +50,6 @@ double normalCurvature(const spline::SurfaceJet& jet, const Vector3d& direction)
   const double second = d[0] * d[0] * normal.dot(jet.uu) + 2.0 * d[0] * d[1] * normal.dot(jet.uv) +
                         d[1] * d[1] * normal.dot(jet.vv);
   return second / d.dot(metric * d);
-}
-
-FairnessReport measureFairness(const std::vector<spline::BsplineSurface>& patches) {
-  FairnessReport report;
-  for (const spline::BsplineSurface& patch : patches) {
-    const spline::GridLine alongU = gridLine(patch.u), alongV = gridLine(patch.v);
-    const auto jets = spline::gridJets(patch, alongU, alongV);
-    auto jet = jets.begin();
-    for (const spline::GridPoint& qu : alongU.points)
-      for (const spline::GridPoint& qv : alongV.points) {
-        const Curvature c = curvatureFrom(*jet++);
-        const double area = qu.weight * qv.weight * c.areaElement;
-        if (!std::isfinite(c.mean)) continue;  // a collapsed point has no curvature
-        report.area += area;
-        report.totalCurvature += area * c.total();
-        report.meanCurvatureGradient += area * c.meanGradientSquared;
-        report.largestCurvature = std::max(report.largestCurvature, c.largest());
-      }
-  }
-  return report;
 }
 
 }  // namespace fairing::analysis

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include "core/analysis/continuity_report.h"
 #include "core/spline/bspline_surface.h"
+#include "core/spline/fundamental_forms.h"
 
 namespace fairing::analysis {
 
@@ -13,9 +13,18 @@ struct Curvature {
   double meanGradientSquared = 0.0;  ///< |grad H|^2 on the surface, 1/mm^4
   /// k1^2 + k2^2 = 4 H^2 - 2 K.
   [[nodiscard]] double total() const { return 4.0 * mean * mean - 2.0 * gauss; }
+  /// The principal curvatures k1 >= k2, H +- sqrt(H^2 - K). 1/mm.
+  [[nodiscard]] double k1() const { return mean + halfDifference(); }
+  [[nodiscard]] double k2() const { return mean - halfDifference(); }
   /// max(|k1|, |k2|).
   [[nodiscard]] double largest() const;
+
+ private:
+  [[nodiscard]] double halfDifference() const;
 };
+
+/// Not finite where R_u x R_v vanishes.
+[[nodiscard]] Curvature curvatureOf(const spline::ThirdOrderJet& jet);
 
 [[nodiscard]] Curvature curvatureAt(const spline::BsplineSurface& surface, double u, double v);
 
@@ -23,8 +32,5 @@ struct Curvature {
 /// against u x v.
 [[nodiscard]] double normalCurvature(const spline::SurfaceJet& jet,
                                      const Eigen::Vector3d& direction);
-
-/// Area and curvature integrals over patches, by Gauss-Legendre on their spans.
-[[nodiscard]] FairnessReport measureFairness(const std::vector<spline::BsplineSurface>& patches);
 
 }  // namespace fairing::analysis

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/analysis/curvature.h"
+#include "core/analysis/measure_fairness.h"
 #include "core/height_field/domain_grid.h"
 #include "core/spline/closest_point.h"
 
@@ -144,20 +145,15 @@ FillResult measureTrimmed(const TrimmedHole& hole,
 
 analysis::FairnessReport trimmedFairness(const TrimmedHole& hole,
                                          const spline::BsplineSurface& surface) {
-  analysis::FairnessReport report;
+  analysis::FairnessSum sum(hole.loop.diagonal);
   const height_field::DomainGrid grid(surface.u, surface.v, hole.projected, kFairnessPoints);
   grid.visit(
       [&](const height_field::DomainGrid::Place& place) {
         if (!place.inside) return;
-        const analysis::Curvature c = analysis::curvatureAt(surface, place.u, place.v);
-        const double area = place.weight * c.areaElement;
-        report.area += area;
-        report.totalCurvature += area * c.total();
-        report.meanCurvatureGradient += area * c.meanGradientSquared;
-        report.largestCurvature = std::max(report.largestCurvature, c.largest());
+        sum.add(spline::thirdOrderJet(surface.derivatives(place.u, place.v, 3)), place.weight);
       },
       [] {});
-  return report;
+  return sum.report();
 }
 
 }  // namespace fairing

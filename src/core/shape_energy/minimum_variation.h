@@ -4,6 +4,10 @@
 
 namespace fairing::shape_energy {
 
+/// `umbilic` times the diagonal of a hole. What the fading at umbilics leaves of a cone's energy is
+/// of its square.
+inline constexpr double kUmbilicShare = 1e-4;
+
 /// The integral of (dk1/de1)^2 + (dk2/de2)^2 over the surface: how fast each principal curvature
 /// changes along its own line of curvature [MoretonSequin1992]. Zero for planes, spheres,
 /// cylinders, cones, tori, and all cyclides. 1/mm^2.

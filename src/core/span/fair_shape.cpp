@@ -52,8 +52,6 @@ constexpr int kMorePoints = 2;
 constexpr int kMostStepsToTheEnd = 30;
 // A level of more control points costs more than it gives.
 constexpr int kMostPoints = 450;
-// Over the diagonal. What the fading at umbilics leaves of a cone's energy is of its square.
-constexpr double kUmbilic = 1e-4;
 
 std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind, double diagonal) {
   switch (kind) {
@@ -61,7 +59,8 @@ std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind, double d
     case EnergyKind::MeanCurvatureGradientMinimum:
       return std::make_unique<shape_energy::MeanCurvatureGradient>();
     case EnergyKind::MinimumVariation:
-      return std::make_unique<shape_energy::MinimumVariation>(kUmbilic / diagonal);
+      return std::make_unique<shape_energy::MinimumVariation>(shape_energy::kUmbilicShare /
+                                                              diagonal);
     case EnergyKind::TotalCurvature:
       return std::make_unique<shape_energy::TotalCurvature>();
     case EnergyKind::Membrane:

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/analysis/curvature.h"
+#include "core/analysis/measure_fairness.h"
 #include "core/analysis/measure_guidance.h"
 #include "core/base/stopwatch.h"
 #include "core/boundary/follow_support.h"
@@ -44,8 +44,8 @@ void addHistory(const FairShape& shape, FillResult& result) {
 }
 
 // What is measured on the patches that are kept, and not on those on the way to them.
-Result<void> measureKept(const FillOptions& options, FillResult& result) {
-  result.report.fairness = analysis::measureFairness(result.patches);
+Result<void> measureKept(const Span& span, const FillOptions& options, FillResult& result) {
+  result.report.fairness = analysis::measureFairness(result.patches, span.loop.diagonal);
   return analysis::addGuidance(result.report, options.guidance, result.patches);
 }
 
@@ -95,7 +95,8 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
     if (nothingWished(wishes)) break;
     layout = layout::refineLayout(span.plan, layout, wishes);
   }
-  if (const auto measured = measureKept(options, *best); !measured) return fail(measured.error());
+  if (const auto measured = measureKept(span, options, *best); !measured)
+    return fail(measured.error());
   best->summary.layoutTime = layoutTime;
   best->summary.shapeTime = shapeTime;
   if (*shape) addHistory(**shape, *best);
@@ -115,7 +116,8 @@ Result<FillResult> spanAgain(const Span& span,
   auto result = fillOn(span, layout, std::move(aim), options);
   if (!result) return result;
   result->summary.solves = 1;
-  if (const auto measured = measureKept(options, *result); !measured) return fail(measured.error());
+  if (const auto measured = measureKept(span, options, *result); !measured)
+    return fail(measured.error());
   result->summary.totalTime = watch.total();
   return result;
 }

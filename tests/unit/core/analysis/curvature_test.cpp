@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "core/analysis/measure_fairness.h"
 #include "support/known_surface.h"
 #include "support/matchers.h"
 #include "support/numerical_derivative.h"
@@ -92,6 +93,13 @@ TEST(Curvature, DoesNotDependOnTheParametrisation) {
   EXPECT_NEAR(a.meanGradientSquared, b.meanGradientSquared, 1e-9 * a.meanGradientSquared);
 }
 
+TEST(Curvature, PrincipalOnesAreThoseOfATorus) {
+  const double ring = 5.0, tube = 2.0;
+  const Curvature c = curvatureAt(splineOf(torus(ring, tube)), kU, kV);
+  EXPECT_NEAR(c.k1(), -std::cos(kV) / (ring + tube * std::cos(kV)), kClose);
+  EXPECT_NEAR(c.k2(), -1.0 / tube, kClose);
+}
+
 TEST(NormalCurvature, AlongAndAcrossACylinder) {
   const spline::SurfaceJet jet = splineOf(cylinder(2.0)).jet(kU, kV);
   EXPECT_NEAR(normalCurvature(jet, jet.u), -0.5, kClose);
@@ -109,7 +117,7 @@ TEST(NormalCurvature, IgnoresLengthAndNormalPartOfTheDirection) {
 
 TEST(Fairness, OfASpherePatch) {
   // One unit of longitude from the equator to latitude 1.
-  const FairnessReport report = measureFairness({splineOf(sphere(2.0))});
+  const FairnessReport report = measureFairness({splineOf(sphere(2.0))}, 4.0);
   const double area = 4.0 * std::sin(1.0);
   EXPECT_NEAR(report.area, area, 1e-3 * area);
   EXPECT_NEAR(report.totalCurvature, 0.5 * area, 1e-3 * area);
@@ -119,10 +127,38 @@ TEST(Fairness, OfASpherePatch) {
 
 TEST(Fairness, AddsUpOverPatches) {
   const BsplineSurface patch = splineOf(torus(5.0, 2.0));
-  const FairnessReport one = measureFairness({patch}), two = measureFairness({patch, patch});
+  const FairnessReport one = measureFairness({patch}, 10.0),
+                       two = measureFairness({patch, patch}, 10.0);
   EXPECT_NEAR(two.area, 2.0 * one.area, 1e-12 * one.area);
   EXPECT_NEAR(two.totalCurvature, 2.0 * one.totalCurvature, 1e-12);
+  EXPECT_NEAR(two.thinPlate, 2.0 * one.thinPlate, 1e-12 * two.thinPlate);
+  EXPECT_NEAR(two.minimumVariation, 2.0 * one.minimumVariation, 1e-12);
   EXPECT_EQ(two.largestCurvature, one.largestCurvature);
+}
+
+TEST(Fairness, OfASaddleIsThatOfEveryEnergy) {
+  // z = c (x^2 - y^2) over the unit square: R_uu = -R_vv = (0, 0, 2 c).
+  const double steepness = 0.7;
+  const BsplineSurface patch = splineOf(saddle(steepness));
+  const FairnessReport report = measureFairness({patch}, std::sqrt(2.0));
+  EXPECT_NEAR(report.thinPlate, 8.0 * steepness * steepness, 1e-8);
+  const shape_energy::MinimumVariation energy(shape_energy::kUmbilicShare / std::sqrt(2.0));
+  double sum = 0.0;  // by midpoints
+  const int cells = 200;
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j)
+      sum += energy
+                 .residuals(spline::thirdOrderJet(
+                     patch.derivatives((i + 0.5) / cells, (j + 0.5) / cells, 3)))
+                 .squaredNorm();
+  sum /= cells * cells;
+  EXPECT_NEAR(report.minimumVariation, sum, 1e-3 * sum);
+  EXPECT_GT(report.minimumVariation, 0.1);
+}
+
+TEST(Fairness, KnowsTheSurfacesWithoutVariation) {
+  EXPECT_NEAR(measureFairness({splineOf(torus(5.0, 2.0))}, 5.0).minimumVariation, 0.0, 1e-6);
+  EXPECT_NEAR(measureFairness({splineOf(sphere(2.0))}, 2.0).minimumVariation, 0.0, 1e-6);
 }
 
 }  // namespace

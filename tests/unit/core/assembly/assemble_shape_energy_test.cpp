@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/analysis/curvature.h"
+#include "core/analysis/measure_fairness.h"
 #include "core/shape_energy/mean_curvature_gradient.h"
 #include "core/spline/quadrature.h"
 #include "support/known_surface.h"
@@ -116,8 +116,9 @@ TEST(AssembleShapeEnergy, ValueIsTheEnergyAlone) {
 TEST(AssembleShapeEnergy, EnergyIsTheOneMeasured) {
   const BsplineSurface patch = bumpyPatch();
   // The analysis takes sixteen points over two spans: by the same ones they agree to rounding.
-  EXPECT_NEAR(
-      energyOf(patch, 8) / analysis::measureFairness({patch}).meanCurvatureGradient, 1.0, 1e-12);
+  EXPECT_NEAR(energyOf(patch, 8) / analysis::measureFairness({patch}, 1.0).meanCurvatureGradient,
+              1.0,
+              1e-12);
 }
 
 TEST(AssembleShapeEnergy, GradientIsThatOfDifferences) {

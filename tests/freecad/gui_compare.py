@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compare in the real window: the same hole with every energy, looked at row by row, one of them used."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+
+import gui
+
+RADIUS = 30.0
+
+
+def rows():
+    table = gui.widget("compareTable")
+    return {table.item(row, 0).text(): [table.item(row, column).text() if table.item(row, column) else ""
+                                        for column in range(table.columnCount())]
+            for row in range(table.rowCount())}
+
+
+def filled_rows():
+    return sum(bool(texts[8]) for texts in rows().values())
+
+
+def compare():
+    gui.widget("compareButton").click()
+    gui.pump(0.1)
+    gui.settle()
+    gui.wait_for(lambda: filled_rows() == 6, "six energies")
+
+
+gui.start()
+document = App.newDocument("Sphere")
+sphere = Part.makeSphere(RADIUS)
+hole = Part.makeCylinder(15, 60)
+base = gui.part(document, "Base", Part.Face.cut(sphere.Faces[0], hole))
+document.recompute()
+gui.look_at_all()
+import fairing  # noqa: E402
+
+panels = gui.keep_panels()
+gui.select(document, (base, fairing.holes(base.Shape)[0][0]))
+Gui.runCommand("Fairing_FillHole")
+gui.wait_for_verdict()
+gui.widget("pictureCombo").setCurrentIndex(1)
+gui.settle()
+chosen = gui.widget("energyCombo").currentIndex()
+
+# Every energy has its row; minimum variation has the least of what it is about.
+compare()
+variation = {name: float(texts[7]) for name, texts in rows().items()}
+assert min(variation, key=variation.get) == "Minimum variation", variation
+table = gui.widget("compareTable")
+assert not gui.widget("useButton").isEnabled() and table.isColumnHidden(3)
+bold = {table.item(row, 0).text() for row in range(6) if table.item(row, 7).font().bold()}
+assert "Minimum variation" in bold, bold
+
+# A row is looked at in the 3D view, the panel's own choice stays.
+for number, name in enumerate(("Membrane", "Minimum variation"), 51):
+    row = list(rows()).index(name)
+    table.selectRow(row)
+    gui.pump(0.3)
+    shown = panels[-1]._drawn.report["fairness"]["minimum_variation"]
+    assert abs(shown - variation[name]) <= 1e-3 * shown + 1e-12, (shown, variation[name])
+    gui.picture(f"{number}_compare_{name.lower().replace(' ', '_')}")
+assert gui.widget("energyCombo").currentIndex() == chosen
+
+# Used: the panel shows it without solving it again, and OK stores it.
+gui.widget("useButton").click()
+gui.wait_for_verdict()
+assert gui.widget("energyCombo").currentText() == "Minimum variation"
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+assert document.Fill.Energy == "minimum-variation" and document.Fill.isValid()
+
+# Closed without using any: all is as before. Stopped: what is there stays.
+Gui.ActiveDocument.setEdit("Fill")
+gui.wait_for_verdict()
+compare()
+gui.widget("compareTable").selectRow(0)
+gui.pump(0.2)
+gui.widget("compareCloseButton").click()
+gui.wait_for_verdict()
+assert gui.widget("energyCombo").currentText() == "Minimum variation" and panels[-1]._comparison is None
+gui.widget("degreeSpin").setValue(6)
+gui.wait_for_verdict()
+gui.widget("compareButton").click()
+gui.pump(0.05)
+gui.widget("compareStopButton").click()
+gui.settle()
+assert filled_rows() < 6
+gui.widget("allG2Button").click()  # another question: nothing to compare any more
+gui.settle()
+assert panels[-1]._comparison is None
+gui.press("Cancel")
+print("passed")

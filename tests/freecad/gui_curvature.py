@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures of curvature in the real window: of any faces by the command, of a surface and its neighbours in the panels."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+from pivy import coin
+
+import gui
+import support
+
+RADIUS, SIZE = 12.0, 60.0
+
+
+def nodes(kind):
+    """The nodes of a kind that are drawn in the view now."""
+    search = coin.SoSearchAction()
+    search.setType(kind.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.setSearchingAll(False)  # what a switch hides is not there
+    search.apply(Gui.ActiveDocument.ActiveView.getSceneGraph())
+    paths = search.getPaths()
+    return [paths[k].getTail() for k in range(paths.getLength())]
+
+
+def pictures():
+    return len(nodes(coin.SoTexture2))
+
+
+def places():
+    """Where the vertices of the first mesh look their colour up, along the scale."""
+    field = nodes(coin.SoTextureCoordinate2)[0].point
+    return [field[k][0] for k in range(field.getNum())]
+
+
+def choose(word):
+    from fairing.pictures import PICTURES
+
+    gui.widget("pictureCombo").setCurrentIndex(PICTURES.index(word))
+    gui.settle()
+
+
+def point_at(view, point):
+    """Rests the real mouse on a point of the model; what the panel says of the place under it."""
+    gui.hover(view, point)
+    gui.pump(0.3)
+    return gui.widget("placeLabel").text()
+
+
+gui.start()
+document = App.newDocument("Drilled")
+block = Part.makeBox(SIZE, SIZE, 30).cut(Part.makeCylinder(RADIUS, 40, App.Vector(30, 30, -5)))
+pipe = Part.makeCylinder(RADIUS, SIZE, App.Vector(90, 30, 0))
+gui.part(document, "Block", block)
+pipe = gui.part(document, "Pipe", pipe)
+document.recompute()
+view = gui.look_at_all()
+
+# The command on one face of a cylinder: |H| = 1 / (2 r) wherever the mouse points.
+assert gui.action_is_enabled("Fairing_CurvaturePicture")
+gui.select(document, (pipe, "Edge1"))
+assert not gui.action_is_enabled("Fairing_CurvaturePicture"), "an edge has no curvature to show"
+wall = next(f"Face{k}" for k, face in enumerate(pipe.Shape.Faces, 1) if isinstance(face.Surface, Part.Cylinder))
+gui.select(document, (pipe, wall))
+Gui.runCommand("Fairing_CurvaturePicture")
+gui.settle()
+assert pictures() == 1 and gui.widget("pictureCombo").currentText() == "Mean curvature H"
+assert gui.widget("facesLabel").text() == f"Pipe: {wall}"
+seen = App.Vector(90, 30, 35) + RADIUS * App.Vector(1, -1, 0).normalize()
+text = point_at(view, seen)
+assert f"H\u00a0{-0.5 / RADIUS:.4g}" in text and f"\u03ba\u2082\u00a0{-1.0 / RADIUS:.4g}" in text, text
+assert "K\u00a00" in text or "K\u00a0-0" in text, text
+low, high = (float(gui.widget(name).text()) for name in ("pictureLow", "pictureHigh"))
+assert abs(high - 0.5 / RADIUS) < 1e-4 and low == -high, (low, high)
+assert max(places()) < 0.01, "H is the lower end of its range everywhere"
+red, green, blue = gui.color_at(view, seen)
+assert blue > 1.3 * red, (red, green, blue)
+gui.picture("41_curvature_of_a_face")
+
+# Another range by hand, then the picture's own again.
+gui.widget("pictureLow").setText("-1")
+gui.widget("pictureLow").textEdited.emit("-1")
+gui.settle()
+assert not gui.widget("pictureAutoCheck").isChecked()
+expected = (-0.5 / RADIUS + 1.0) / (high + 1.0)
+assert abs(places()[0] - expected) < 0.01, places()[0]
+gui.widget("pictureAutoCheck").setChecked(True)
+gui.settle()
+assert max(places()) < 0.01 and float(gui.widget("pictureLow").text()) == low
+
+# Selected while the panel is open: the whole block, inside and outside. Its hole bends the other way.
+gui.select(document, ("Block", ""))
+gui.settle()
+gui.wait_for(lambda: gui.widget("facesLabel").text() == "Block", "the block's picture")
+choose("k1")
+assert float(gui.widget("pictureHigh").text()) == float(f"{1.0 / RADIUS:.4g}")
+gui.picture("42_curvature_of_a_block")
+choose("zebra")
+assert pictures() == 1 and max(places()) - min(places()) > 10.0, "stripes go round"
+before = places()
+view.viewFront()
+gui.pump(0.3)
+assert max(abs(a - b) for a, b in zip(before, places())) > 1.0, "stripes follow the camera"
+view.viewIsometric()
+gui.pump(0.3)
+assert max(abs(a - b) for a, b in zip(before, places())) < 1e-3
+assert gui.widget("stripesSpin").isVisible() and not gui.widget("scaleLabel").isVisible()
+gui.picture("43_zebra_of_a_block")
+gui.press("Close")
+assert not gui.panel_is_open() and pictures() == 0
+App.closeDocument(document.Name)
+
+# Fill Hole: the picture takes the preview's place, on the patch and on what it meets.
+document, base, edges = support.example()
+view = gui.look_at_all()
+gui.select(document, (base, edges[0]))
+Gui.runCommand("Fairing_FillHole")
+gui.wait_for_verdict("Meets all 4 edges")
+assert pictures() == 0
+choose("mean")
+centre = App.Vector(*[sum(base.Shape.getElement(edge).CenterOfMass[k] for edge in edges) / 4 for k in range(3)])
+assert pictures() == 1 and len(nodes(coin.SoTextureCoordinate2)) == 2
+gui.picture("44_fill_mean_curvature")
+text = point_at(view, centre)
+first = text.splitlines()[0]
+assert first.startswith("(") and first.endswith("mm"), text
+choose("zebra")
+assert len(nodes(coin.SoTextureCoordinate2)) == 2
+gui.picture("45_fill_zebra")
+stripes = {gui.color_at(view, centre + App.Vector(x, 0, 0))[0] > 110 for x in range(-15, 16)}
+assert stripes == {True, False}, "dark and light stripes"
+gui.widget("stripesSpin").setValue(60)
+gui.settle()
+gui.picture("46_fill_more_stripes")
+gui.widget("allG2Button").click()
+gui.wait_for_verdict("Meets all 4 edges")
+assert len(nodes(coin.SoTextureCoordinate2)) == 2
+choose("none")
+assert pictures() == 0 and gui.widget("pictureCombo").isVisible() and not gui.widget("pictureRows").isVisible()
+choose("mean-gradient")
+assert float(gui.widget("pictureLow").text()) == 0.0
+gui.picture("47_fill_gradient")
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+assert pictures() == 0 and document.Fill.isValid()
+App.closeDocument(document.Name)
+
+# A document closed under the panel takes the picture with it.
+document, base, edges = support.example("Closing")
+gui.look_at_all()
+Gui.runCommand("Fairing_CurvaturePicture")
+gui.settle()
+App.closeDocument(document.Name)
+gui.wait_for(lambda: not gui.panel_is_open(), "the panel to close")
+print("passed")

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The same hole with several energies: from Python and on the command line, against the sphere it was cut from."""
+
+import json
+import os
+import subprocess
+
+import FreeCAD as App
+import Part
+import pytest
+
+import fairing
+from fairing.choices import ENERGIES
+
+PROGRAM = os.environ["FAIRING_BINARY"]
+RADIUS = 30.0
+VALUES = ("thin_plate", "total_curvature", "mean_curvature_gradient", "minimum_variation")
+
+
+@pytest.fixture(scope="module")
+def sphere():
+    """A sphere without what a cylinder round its pole cuts off."""
+    return Part.makeSphere(RADIUS).Faces[0].cut(Part.makeCylinder(15, 60))
+
+
+@pytest.fixture(scope="module")
+def reports(sphere):
+    return fairing.compare(sphere, fairing.holes(sphere)[0])
+
+
+def off_the_sphere(patches):
+    """Largest distance of a shape's points from the sphere."""
+    places = []
+    for face in patches.Faces:
+        u0, u1, v0, v1 = face.ParameterRange
+        places += [face.valueAt(u0 + (u1 - u0) * i / 12, v0 + (v1 - v0) * j / 12) for i in range(13) for j in range(13)]
+    return max(abs(point.Length - RADIUS) for point in places)
+
+
+def test_every_energy_has_a_report_with_the_values_of_all(reports):
+    assert [report["energy"] for report in reports] == list(ENERGIES)
+    for report in reports:
+        assert all(report["fairness"][name] >= 0.0 for name in VALUES)
+        assert report["largest_gap"] <= report["limits"]["gap"] and report["solve"]["total_time"] > 0.0
+
+
+def test_minimum_variation_varies_least_and_is_the_sphere(sphere, reports):
+    variation = {report["energy"]: report["fairness"]["minimum_variation"] for report in reports}
+    assert min(variation, key=variation.get) == "minimum-variation"
+    assert variation["minimum-variation"] < 1e-3 * variation["thin-plate"]
+    edges = fairing.holes(sphere)[0]
+    off = {energy: off_the_sphere(fairing.fill(sphere, edges, energy=energy)[0])
+           for energy in ("thin-plate", "membrane", "minimum-variation")}
+    assert min(off, key=off.get) == "minimum-variation"
+    assert off["minimum-variation"] < 1e-3
+
+
+def test_membrane_bends_most(reports):
+    total = {report["energy"]: report["fairness"]["total_curvature"] for report in reports}
+    assert max(total, key=total.get) == "membrane"
+
+
+def test_a_sphere_has_the_total_curvature_of_its_area(reports):
+    best = next(report for report in reports if report["energy"] == "minimum-variation")["fairness"]
+    assert best["total_curvature"] == pytest.approx(2.0 * best["area"] / RADIUS ** 2, rel=1e-4)
+
+
+def test_only_the_energies_asked_for_and_an_unknown_one_is_told(sphere):
+    edges = fairing.holes(sphere)[0]
+    two = fairing.compare(sphere, edges, energies=("membrane", "soap"))
+    assert [report["energy"] for report in two] == ["membrane", "soap"]
+    assert "within_tolerance" in two[0] and "soap" in two[1]["error"]
+    with pytest.raises(fairing.FairingError):
+        fairing.compare(sphere, [999])
+
+
+def test_the_command_line_prints_the_same(sphere, reports, tmp_path):
+    path, json_path = tmp_path / "sphere.brep", tmp_path / "report.json"
+    sphere.exportBrep(str(path))
+    edge = fairing.holes(sphere)[0][0][4:]
+    done = subprocess.run([PROGRAM, "compare", path, "--edges", edge, "--report", json_path], capture_output=True,
+                          text=True)
+    lines = done.stdout.splitlines()
+    assert done.returncode in (0, 1) and not done.stderr
+    assert lines[0].split()[0] == "energy" and len(lines) == 2 + len(ENERGIES)
+    rows = {line.split()[0]: line for line in lines[2:]}
+    assert set(rows) == set(ENERGIES)
+    told = {item["energy"]: item for item in json.loads(json_path.read_text())["energies"]}
+    for report in reports:
+        expected = report["fairness"]["total_curvature"]
+        assert told[report["energy"]]["fairness"]["total_curvature"] == pytest.approx(expected, rel=1e-6)
+        assert f" {expected:.4g} " in rows[report["energy"]]
+
+
+def test_the_command_line_names_what_is_wrong(sphere, tmp_path):
+    path = tmp_path / "sphere.brep"
+    sphere.exportBrep(str(path))
+    for extra, word in ((["--energies", "soap"], "soap"), (["--edges", "999"], "999")):
+        done = subprocess.run([PROGRAM, "compare", path, *extra], capture_output=True, text=True)
+        assert done.returncode == 2 and word in done.stderr and len(done.stderr.splitlines()) == 1
+
+
+def test_several_holes_ask_for_a_pick(tmp_path):
+    plate = Part.makePlane(60, 30).cut(Part.makeCylinder(5, 9, App.Vector(15, 15, -3)))
+    plate = plate.cut(Part.makeCylinder(5, 9, App.Vector(45, 15, -3)))
+    path = tmp_path / "plate.brep"
+    plate.exportBrep(str(path))
+    done = subprocess.run([PROGRAM, "compare", path], capture_output=True, text=True)
+    assert done.returncode == 2 and "--edges" in done.stderr
