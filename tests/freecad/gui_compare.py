@@ -92,4 +92,26 @@ gui.widget("allG2Button").click()  # another question: nothing to compare any mo
 gui.settle()
 assert panels[-1]._comparison is None
 gui.press("Cancel")
+App.closeDocument(document.Name)
+
+# A blend: the same.
+document = App.newDocument("Pipes")
+low = gui.part(document, "Low", Part.makeCircle(10).extrude(App.Vector(0, 0, 20)))
+high = gui.part(document, "High", Part.makeCircle(14, App.Vector(6, 0, 45)).extrude(App.Vector(0, 0, 20)))
+document.recompute()
+gui.look_at_all()
+gui.select(document, (low, gui.edge_at(low.Shape, (0, 0, 20))), (high, gui.edge_at(high.Shape, (6, 0, 45))))
+Gui.runCommand("Fairing_BlendFaces")
+gui.wait_for_verdict()
+compare()
+values = {name: float(texts[5]) for name, texts in rows().items()}
+assert values["Total curvature"] <= values["Thin plate"], values
+gui.widget("compareTable").selectRow(list(rows()).index("Total curvature"))
+gui.pump(0.2)
+gui.picture("53_compare_blend")
+gui.widget("useButton").click()
+gui.wait_for_verdict()
+gui.press("Ok")
+gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+assert document.Blend.Energy == "total-curvature" and document.Blend.isValid()
 print("passed")

@@ -145,6 +145,40 @@ gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 assert pictures() == 0 and document.Fill.isValid()
 App.closeDocument(document.Name)
 
+# Blend Faces and Edit Surface have the same switch.
+document = App.newDocument("Others")
+low = gui.part(document, "Low", Part.makeCircle(10).extrude(App.Vector(0, 0, 20)))
+high = gui.part(document, "High", Part.makeCircle(10, App.Vector(0, 0, 45)).extrude(App.Vector(0, 0, 20)))
+box = gui.part(document, "Box", Part.makeBox(30, 30, 30, App.Vector(30, 0, 0)))
+document.recompute()
+view = gui.look_at_all()
+gui.select(document, (low, gui.edge_at(low.Shape, (0, 0, 20))), (high, gui.edge_at(high.Shape, (0, 0, 45))))
+Gui.runCommand("Fairing_BlendFaces")
+gui.wait_for_verdict()
+choose("mean")
+assert len(nodes(coin.SoTextureCoordinate2)) == 2, "the strip, and both pipes beside it"
+text = point_at(view, App.Vector(0, 0, 32.5) + 10 * App.Vector(1, -1, 0).normalize())
+curvature = float(text.split("H\u00a0")[1].split(",")[0])
+assert abs(abs(curvature) - 0.05) < 1e-3, f"the cylinder goes on: {text}"
+gui.widget("fromReachSpin").setValue(1.5)  # live
+gui.settle()
+assert pictures() == 1
+gui.picture("48_blend_mean_curvature")
+gui.press("Cancel")
+assert pictures() == 0
+top = next(f"Face{k}" for k, face in enumerate(box.Shape.Faces, 1) if face.CenterOfMass.z == 30.0)
+gui.select(document, (box, top))
+Gui.runCommand("Fairing_EditSurface")
+gui.settle()
+choose("zebra")
+assert pictures() == 0, "a plane has nothing to move, so there is no new face"
+gui.widget("spansSpin").setValue(6)
+gui.widget("degreeSpin").setValue(3)
+gui.wait_for_verdict("25 of 81")
+assert len(nodes(coin.SoTextureCoordinate2)) == 2 and gui.widget("stripesSpin").isVisible()
+gui.press("Cancel")
+App.closeDocument(document.Name)
+
 # A document closed under the panel takes the picture with it.
 document, base, edges = support.example("Closing")
 gui.look_at_all()

@@ -9,6 +9,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "occt/shapes.h"

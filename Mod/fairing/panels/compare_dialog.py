@@ -19,6 +19,7 @@ CURVATURE = 3  # the column that is there for G2 only
 FIRST_VALUE = 4  # columns from here on: the less, the fairer
 VALUES = ("thin_plate", "total_curvature", "mean_curvature_gradient", "minimum_variation")
 LONGEST_STOP = 0.1  # s closing waits for a solve that was told to stop
+MARGIN = 40  # pixels from the window's lower right corner
 SAME = 1.0 + 1e-6  # a value so close to the least is the least, too
 
 
@@ -32,6 +33,7 @@ class CompareDialog:
         self._ui.setParent(Gui.getMainWindow(), QtCore.Qt.Tool)
         self._table, self._is_open = self._ui.compareTable, True
         self._table.setRowCount(len(ENERGIES))
+        self._stood = self._ui.pos()
         self._show_names()
         self._table.itemSelectionChanged.connect(self._select)
         self._ui.useButton.setEnabled(False)
@@ -49,6 +51,7 @@ class CompareDialog:
 
         self._solver.request(solve_all)
         self._ui.show()
+        self._stand_aside()
 
     def close(self) -> None:
         """Without using any."""
@@ -70,6 +73,13 @@ class CompareDialog:
         self._ui.deleteLater()
         return True
 
+    def _stand_aside(self) -> None:
+        """Below what is looked at."""
+        window, own = Gui.getMainWindow(), self._ui.frameGeometry()
+        corner = window.mapToGlobal(QtCore.QPoint(window.width(), window.height() - window.statusBar().height()))
+        self._ui.move(corner.x() - own.width() - MARGIN, corner.y() - own.height() - MARGIN)
+        self._stood = self._ui.pos()
+
     def _show_names(self) -> None:
         for row, name in enumerate(self._names):
             self._put(row, 0, name)
@@ -82,8 +92,11 @@ class CompareDialog:
         table.resizeRowsToContents()
         width = header.length() + 2 * table.frameWidth() + table.fontMetrics().height()
         height = table.verticalHeader().length() + header.height() + 2 * table.frameWidth()
-        table.setMinimumSize(width, height)
+        table.setFixedHeight(height)
+        table.setMinimumWidth(width)
         self._ui.adjustSize()
+        if self._ui.pos() == self._stood:  # who has moved it knows why
+            self._stand_aside()
 
     def _put(self, row: int, column: int, text: str) -> QtGui.QTableWidgetItem:
         item = QtGui.QTableWidgetItem(text)

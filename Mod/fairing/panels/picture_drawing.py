@@ -75,6 +75,7 @@ class PictureDrawing:
         self._set_image(colors.zebra_image(), coin.SoTexture2.REPEAT, AVERAGED)
         self._paint_stripes()
         self._shown.whichChild = coin.SO_SWITCH_ALL
+        self._sensor.detach()  # FreeCAD may have put up another camera
         self._sensor.attach(self._view.getCameraNode())
 
     def hide(self) -> None:
