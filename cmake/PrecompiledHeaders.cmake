@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Headers that nearly every file of a target reads are compiled once. The preset "dev" goes without them
-# (CMAKE_DISABLE_PRECOMPILE_HEADERS) and so sees to it that every file includes what it uses.
+# Headers that nearly every file of a target reads are compiled once. The presets "release" and "tidy" go without them
+# (CMAKE_DISABLE_PRECOMPILE_HEADERS) and so see to it that every file includes what it uses.
 set(FAIRING_COMMON_HEADERS
   <Eigen/Cholesky> <Eigen/Core> <Eigen/Geometry> <Eigen/SparseCore> <algorithm> <array> <cmath> <functional> <map>
   <memory> <optional> <string> <tl/expected.hpp> <utility> <vector>)
