@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What scripts/pictures does inside FreeCAD: makes shapes with a hole, fills each through the Python package and
-leaves a picture of every fill in $FAIRING_OUTPUT: the base in grey, a colour a patch, its isolines and borders; and one
-of the blend panel at work."""
+leaves a picture of every fill in $FAIRING_OUTPUT: the base in grey, a colour a patch, its isolines and borders; and some
+of the panels at work."""
 
 import math
 import os
@@ -232,11 +232,56 @@ def tilted_pipes(document) -> list:
     return rims
 
 
-def blend_panel():
-    """The panel of Blend Faces with a slider moved: what users see."""
+def light_background():
     view = App.ParamGet("User parameter:BaseApp/Preferences/View")
     for name, color in (("BackgroundColor2", 0xF4F6F9FF), ("BackgroundColor3", 0xB9C4D2FF)):
         view.SetUnsigned(name, color)
+
+
+def fill_panel_on_sheet(name: str, **options):
+    """The panel of Fill Hole on a pentagon in the wavy sheet."""
+    document = App.newDocument(name)
+    shape, edges = with_hole(pentagon())
+    base = document.addObject("Part::Feature", "Sheet")
+    base.Shape = shape
+    base.ViewObject.ShapeColor, base.ViewObject.Deviation = (0.62, 0.69, 0.77), 0.02
+    document.recompute()
+    fill = fairing.make_fill(base, edges[:1], **options)
+    look(gui.look_at_all(), turn=-25, tilt=48)
+    Gui.SendMsgToActiveView("ViewFit")
+    Gui.ActiveDocument.setEdit(fill.Name)
+    gui.wait_for_verdict()
+    return document
+
+
+def curvature_zebra():
+    """Stripes across a new surface and what it meets."""
+    document = fill_panel_on_sheet("zebra", continuity="G2")
+    gui.widget("labelsCheck").setChecked(False)
+    gui.widget("pictureCombo").setCurrentIndex(6)
+    gui.pump(1.0)  # the limits fold away slowly
+    gui.picture("curvature_zebra")
+    gui.press("Cancel")
+    App.closeDocument(document.Name)
+
+
+def compare_energies():
+    """All energies in a table, one of them in the view in colours."""
+    document = fill_panel_on_sheet("energies")
+    gui.widget("labelsCheck").setChecked(False)
+    gui.widget("pictureCombo").setCurrentIndex(1)
+    gui.widget("compareButton").click()
+    gui.pump(0.1)
+    gui.settle()
+    gui.widget("compareTable").selectRow(4)
+    gui.pump(1.0)
+    gui.picture("compare_energies")
+    gui.press("Cancel")
+    App.closeDocument(document.Name)
+
+
+def blend_panel():
+    """The panel of Blend Faces with a slider moved: what users see."""
     document = App.newDocument("pipes")
     rims = tilted_pipes(document)
     look(gui.look_at_all(), turn=228, tilt=75)
@@ -281,8 +326,11 @@ def main():
     frames, (low, high) = two_frames()
     picture("strip_blend", frames, *fairing.blend(frames, low, high), turn=25, tilt=62, margin=1.3)
     setback_picture("strip_setback")
+    light_background()
     blend_panel()
     edit_panel()
+    curvature_zebra()
+    compare_energies()
     fill_picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
 
 

@@ -76,6 +76,24 @@ def curvature_picture(shape: Part.Shape, quantity: str = "mean", *, faces: Itera
     return points, triangles, picture.values()[:, column]
 
 
+def show_curvature(shapes: Iterable[Any], picture: str = "mean") -> bool:
+    """Opens the panel of Curvature Picture in FreeCAD's window.
+
+    shapes   objects of the active document, or pairs of one and the names of faces: [(obj, ["Face3"])]
+    picture  a quantity of curvature_picture(), or "zebra"
+    False, with a message, where the panel cannot be. Raises RuntimeError without a window, ValueError for another
+    picture.
+    """
+    import FreeCAD as App
+
+    if not App.GuiUp:
+        raise RuntimeError("Curvature is shown in FreeCAD's window: there is none. curvature_picture() gives arrays.")
+    from .panels.curvature_panel import CurvaturePanel
+
+    picks = [shape if isinstance(shape, tuple) else (shape, ()) for shape in shapes]
+    return CurvaturePanel.show([(obj, list(names)) for obj, names in picks], picture)
+
+
 def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
              reference: Optional[Part.Shape] = None, guide: Any = (), **options) -> tuple[Part.Shape, list[dict]]:
     """Fills every hole of a shape, side by side. Returns the new faces and a report a hole.

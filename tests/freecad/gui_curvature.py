@@ -179,6 +179,30 @@ assert len(nodes(coin.SoTextureCoordinate2)) == 2 and gui.widget("stripesSpin").
 gui.press("Cancel")
 App.closeDocument(document.Name)
 
+# From a script: any picture at once. A macro recorder sees the same line.
+document = App.newDocument("Script")
+ball = gui.part(document, "Ball", Part.makeSphere(10))
+document.recompute()
+gui.look_at_all()
+import fairing  # noqa: E402
+
+assert fairing.show_curvature([ball], "zebra")
+gui.settle()
+assert gui.widget("pictureCombo").currentText() == "Zebra" and pictures() == 1
+gui.press("Close")
+lines, do_command = [], Gui.doCommand
+Gui.doCommand = lambda line: (lines.append(line), do_command(line))
+gui.select(document, (ball, "Face1"))
+Gui.runCommand("Fairing_CurvaturePicture")
+gui.settle()
+Gui.doCommand = do_command
+assert lines == ["fairing.show_curvature([(FreeCAD.ActiveDocument.getObject('Ball'), ['Face1'])])"], lines
+assert gui.widget("facesLabel").text() == "Ball: Face1"
+gui.press("Close")
+support.raises(ValueError, lambda: fairing.show_curvature([ball], "warmth"))
+assert not gui.panel_is_open() and pictures() == 0
+App.closeDocument(document.Name)
+
 # A document closed under the panel takes the picture with it.
 document, base, edges = support.example("Closing")
 gui.look_at_all()

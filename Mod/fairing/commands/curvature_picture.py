@@ -25,6 +25,6 @@ class CurvaturePictureCommand:
         return selection.can_start(selection.current_shapes)
 
     def Activated(self) -> None:
-        from ..panels.curvature_panel import CurvaturePanel
+        from ..panels.commands import link_command, run
 
-        CurvaturePanel.show(selection.current_shapes())
+        run(f"fairing.show_curvature([{', '.join(map(link_command, selection.current_shapes()))}])")

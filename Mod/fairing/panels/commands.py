@@ -9,13 +9,18 @@ import FreeCADGui as Gui
 from .. import migrate
 
 
+def run(command: str) -> None:
+    """Runs a line of Python; the macro recorder writes it down."""
+    for module in ("FreeCAD", "fairing"):
+        Gui.addModule(module)
+    Gui.doCommand(command)
+
+
 def run_as_one_step(document: App.Document, title: str, command: str) -> None:
-    """Runs a line of Python as one step to undo; the macro recorder writes it down. Where it fails, nothing is done."""
+    """The same as one step to undo. Where it fails, nothing is done."""
     document.openTransaction(title)
     try:
-        for module in ("FreeCAD", "fairing"):
-            Gui.addModule(module)
-        Gui.doCommand(command)
+        run(command)
         document.commitTransaction()
     except Exception:
         document.abortTransaction()

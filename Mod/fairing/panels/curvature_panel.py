@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from .. import exchange, native, paths, selection, subelements
 from ..features.placement import shape_in
+from ..pictures import PICTURES
 from ..translation import translate
 from . import task_boxes
 from .background import BackgroundSolver
@@ -24,19 +25,21 @@ class CurvaturePanel:
     """Shows what is selected; another selection while it is open is shown in its place."""
 
     @classmethod
-    def show(cls, picks) -> bool:
-        """Opens the panel on [(object, face names; none: the whole object)]. False, with a message, where that cannot
-        be."""
+    def show(cls, picks, picture: str = "mean") -> bool:
+        """Opens the panel on [(object, face names; none: the whole object)] with one of PICTURES. False, with a
+        message, where that cannot be. Raises ValueError for another word."""
+        if picture not in PICTURES:
+            raise ValueError(f"{picture!r} is no picture: {', '.join(PICTURES)} are.")
         problem = native.problem()
         if problem:
             show_problem(problem)
             return False
-        panel = cls(App.ActiveDocument, picks)
+        panel = cls(App.ActiveDocument, picks, picture)
         Gui.Control.showDialog(panel)
         QtCore.QTimer.singleShot(0, lambda: panel._is_closed or task_boxes.make_room(panel.form[0]))
         return True
 
-    def __init__(self, document: App.Document, picks):
+    def __init__(self, document: App.Document, picks, picture: str):
         self._document, self._is_closed = document, False
         self._are_closed: list[bool] = []  # which of the pictures are on solids
         self._ui = Gui.PySideUic.loadUi(paths.form("picture.ui"))
@@ -45,7 +48,7 @@ class CurvaturePanel:
         self._view = Gui.getDocument(document.Name).ActiveView
         self._solver = BackgroundSolver(native.module().Progress, self._made, lambda fraction: None, self._ui)
         self._curvature = CurvatureView(self._view, self._ui)
-        self._curvature.box.picture = "mean"
+        self._curvature.box.picture = picture
         self._curvature.box.changed.connect(self._curvature.paint)
         self._escape = EscapeKey(self._view, self._close)
         self._closing = ClosingDocument(document, self._document_closed)
