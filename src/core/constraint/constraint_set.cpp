@@ -103,7 +103,8 @@ Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
   if (about)
     if (auto rows = curvatureRows(layout, patches, *about)) set.blocks.push_back(std::move(*rows));
   if (about)
-    if (auto rows = seamCurvatureRows(layout, *about)) set.blocks.push_back(std::move(*rows));
+    for (solver::ConstraintBlock& block : seamCurvatureRows(layout, *about))
+      set.blocks.push_back(std::move(block));
   set.ties = layout.closed ? tieClosing(layout.patches.front()) : tieSeams(layout);
   return set;
 }
