@@ -34,8 +34,9 @@ def fill(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, faces: It
     guide            normals to follow (weight lambda_): handles [{"point": (x, y, z), "normal": (x, y, z), "weight": w,
                      "radius": mm}, ...], or {"normals": handles, "field": {"n": n, "m": m, "normals": [...],
                      "weights": [...], "corners": [p00, p10, p01]}} with a field over the whole patch
-    options          layout, energy, lambda_, gamma, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles,
-                     result ("patches", "shell" or "base"): see choices.Choices
+    options          layout, energy, inner_continuity (how patches meet each other, "G1" or "G2"), lambda_, gamma,
+                     gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles, result ("patches", "shell" or
+                     "base"): see choices.Choices
     Raises FairingError with one sentence where that cannot be done.
     """
     request = _fill_request(edges, faces=faces, continuity=continuity, edge_continuity=edge_continuity,
@@ -135,8 +136,9 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
                      turns away, 1 = what the energy likes best), reach_end (where it differs at the end of an open
                      side), departure ("free", "perpendicular" or "iso"), flip, setback (mm), curve (edges that make a
                      curve on its faces: set back to there); match ("auto", "length" or "corners"), alignment (-0.5 to
-                     0.5), energy, lambda_, gamma, gap_tolerance (mm), angle_tolerance (degrees), degree, max_poles,
-                     result ("patches", "shell" or "base"): see blend_request.BlendRequest
+                     0.5), energy, inner_continuity ("G1" or "G2"), lambda_, gamma, gap_tolerance (mm), angle_tolerance
+                     (degrees), degree, max_poles, result ("patches", "shell" or "base"): see
+                     blend_request.BlendRequest
     Raises FairingError with one sentence where that cannot be done.
     """
     request = BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, ends=ends, end_faces=end_faces, ring=ring,

@@ -41,6 +41,7 @@ class BlendRequest:
     ring: bool = False  # the chains of to_edges are open and come to a vertex with that of from_edges
     cuts: tuple[int, ...] = ()  # edges from rim to rim that show where a junction is cut
     energy: str = Choices.energy
+    inner_continuity: str = Choices.inner_continuity
     lambda_: float = 0.0  # weight of the guiding normals
     gamma: float = 0.0  # weight of the reference surface
     reference: Optional[bytes] = dataclasses.field(default=None, repr=False)  # BREP of the faces that guide

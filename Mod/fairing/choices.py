@@ -17,6 +17,7 @@ CONTINUITIES = ("G0", "G1", "G2")
 LAYOUTS = ("auto", "quad", "star", "o-grid", "trimmed")
 ENERGIES = ("thin-plate", "membrane", "mean-curvature-gradient", "mean-curvature-gradient-minimum", "minimum-variation",
             "total-curvature")
+INNER = ("G1", "G2")  # how patches meet each other
 RESULTS = ("patches", "shell", "base")
 EDIT_ENERGIES = ("thin-plate", "membrane")  # of an edit
 KEEPS = ("auto", *CONTINUITIES)  # what an edit keeps of a border
@@ -39,6 +40,7 @@ class Choices:
     symmetry: tuple[tuple[int, Triple], ...] = ()  # edges in a symmetry plane, with its normal
     layout: str = "auto"
     energy: str = "mean-curvature-gradient"
+    inner_continuity: str = "G1"  # how patches meet each other
     lambda_: float = 0.0  # weight of the guiding normals
     gamma: float = 0.0  # weight of the reference surface
     reference: Optional[bytes] = dataclasses.field(default=None, repr=False)  # BREP of the faces that guide
@@ -69,8 +71,8 @@ class Choices:
         return {
             "continuity": self.continuity, "edge_continuity": dict(self.edge_continuity),
             "tangents": dict(self.tangents), "symmetry": dict(self.symmetry), "layout": self.layout,
-            "energy": self.energy, "lambda_": self.lambda_, "gamma": self.gamma, "reference": self.reference,
-            "guide": json.loads(self.guide),
+            "energy": self.energy, "inner_continuity": self.inner_continuity, "lambda_": self.lambda_,
+            "gamma": self.gamma, "reference": self.reference, "guide": json.loads(self.guide),
             "tolerance": self.gap_tolerance, "angle": self.angle_tolerance, "degree": self.degree,
             "max_poles": self.max_poles, "result": self.result,
         }

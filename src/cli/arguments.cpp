@@ -96,6 +96,8 @@ void SolveArguments::addChoices(CLI::App& command) {
                      "mean-curvature-gradient-minimum, minimum-variation or total-curvature "
                      "(default " +
                          energy + ")");
+  command.add_option(
+      "--inner-continuity", inner, "how patches meet each other, G1 or G2 (default G1)");
   command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
   command.add_option("--max-poles",
                      maxPoles,
@@ -107,8 +109,11 @@ void SolveArguments::addChoices(CLI::App& command) {
 Result<FillOptions> SolveArguments::options(const Result<Tolerance>& tolerance) const {
   const auto energyKind = text::energyFrom(energy);
   if (!energyKind) return fail(unknown("--energy", energy));
+  const auto between = text::continuityFrom(inner);
+  if (!between || *between == Continuity::G0) return fail(unknown("--inner-continuity", inner));
   if (!tolerance) return fail(tolerance.error());
   FillOptions chosen;
+  chosen.inner = *between;
   chosen.energy = *energyKind;
   chosen.tolerance = *tolerance;
   chosen.degree = degree;

@@ -35,7 +35,7 @@ struct PickArguments {
 /// What every command that makes faces takes.
 struct SolveArguments {
   std::string shape, out, report;
-  std::string energy{text::word(FillOptions{}.energy)}, result = "patches";
+  std::string energy{text::word(FillOptions{}.energy)}, inner = "G1", result = "patches";
   int degree = 0, maxPoles = FillOptions{}.maxPoles;
 
   void addFiles(CLI::App& command, const char* whatShape);

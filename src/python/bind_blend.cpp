@@ -47,6 +47,7 @@ ShapeBlend blend(const ShapeIndex& shape,
                  bool ring,
                  std::vector<int> cuts,
                  const std::string& energy,
+                 const std::string& inner,
                  double lambda,
                  double gamma,
                  const std::optional<py::bytes>& reference,
@@ -70,7 +71,7 @@ ShapeBlend blend(const ShapeIndex& shape,
                                .cuts = std::move(cuts),
                                .ends = std::move(ends),
                                .endFaces = std::move(endFaces)};
-  FillOptions fill = optionsOf(energy, toleranceOf(tolerance, angle), degree, maxPoles);
+  FillOptions fill = optionsOf(energy, inner, toleranceOf(tolerance, angle), degree, maxPoles);
   fill.guidance = guidanceOf(lambda, gamma, reference, guide);
   const BlendOptions options{std::move(fill),
                              {{fromReach, toReach}, {fromReachEnd, toReachEnd}},
@@ -184,6 +185,7 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           py::arg("ring") = false,
           py::arg("cuts") = std::vector<int>{},
           py::arg("energy") = std::string(text::word(FillOptions{}.energy)),
+          py::arg("inner_continuity") = "G1",
           py::arg("lambda_") = 0.0,
           py::arg("gamma") = 0.0,
           py::arg("reference") = py::none(),
@@ -214,7 +216,8 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           "one's length; pairs holds vertices of both sides that belong together. ends holds edges "
           "that join the ends of open sides, end_faces faces that the ends follow: along the edges "
           "of their border, or sliding on them. cuts holds edges from rim to rim that show where "
-          "a junction is cut. lambda_, gamma, reference and guide are those of fill(). tolerance "
+          "a junction is cut. inner_continuity, G1 or G2: how patches meet each other. lambda_, "
+          "gamma, reference and guide are those of fill(). tolerance "
           "is "
           "in mm (None: a millionth of the diagonal of both chains), angle in degrees, degree 3 "
           "to 9 (0: chosen from the edges). The GIL is released while solving. Raises "

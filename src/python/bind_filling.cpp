@@ -18,12 +18,13 @@ using occt::ShapeIndex;
 
 FillOptions fillOptionsOf(const std::string& layout,
                           const std::string& energy,
+                          const std::string& inner,
                           energy::Guidance guidance,
                           const Tolerance& tolerance,
                           int degree,
                           int maxPoles) {
   const LayoutKind kind = choice(text::layoutFrom, "layout", layout);
-  FillOptions options = optionsOf(energy, tolerance, degree, maxPoles);
+  FillOptions options = optionsOf(energy, inner, tolerance, degree, maxPoles);
   options.layout = kind;
   options.guidance = std::move(guidance);
   return options;
@@ -39,6 +40,7 @@ occt::ShapeFill fill(const ShapeIndex& shape,
                      const std::vector<Through>& through,
                      const std::string& layout,
                      const std::string& energy,
+                     const std::string& inner,
                      double lambda,
                      double gamma,
                      const std::optional<py::bytes>& reference,
@@ -56,6 +58,7 @@ occt::ShapeFill fill(const ShapeIndex& shape,
                           .directions = directionsOf(tangents, symmetry)};
   FillOptions options = fillOptionsOf(layout,
                                       energy,
+                                      inner,
                                       guidanceOf(lambda, gamma, reference, guide),
                                       toleranceOf(tolerance, angle),
                                       degree,
@@ -75,6 +78,7 @@ occt::AllFilled fillAll(const ShapeIndex& shape,
                         const Directions& symmetry,
                         const std::string& layout,
                         const std::string& energy,
+                        const std::string& inner,
                         double lambda,
                         double gamma,
                         const std::optional<py::bytes>& reference,
@@ -92,6 +96,7 @@ occt::AllFilled fillAll(const ShapeIndex& shape,
                                .directions = directionsOf(tangents, symmetry)};
   const FillOptions options = fillOptionsOf(layout,
                                             energy,
+                                            inner,
                                             guidanceOf(lambda, gamma, reference, guide),
                                             toleranceOf(tolerance, angle),
                                             degree,
@@ -110,6 +115,7 @@ void bindFilling(py::class_<ShapeIndex>& shape) {
   const auto symmetry = py::arg("symmetry") = Directions{};
   const auto layout = py::arg("layout") = "auto";
   const auto energy = py::arg("energy") = std::string(text::word(FillOptions{}.energy));
+  const auto inner = py::arg("inner_continuity") = "G1";
   const auto lambda = py::arg("lambda_") = 0.0;
   const auto gamma = py::arg("gamma") = 0.0;
   const auto reference = py::arg("reference") = py::none();
@@ -133,6 +139,7 @@ void bindFilling(py::class_<ShapeIndex>& shape) {
           py::arg("through") = py::list(),
           layout,
           energy,
+          inner,
           lambda,
           gamma,
           reference,
@@ -145,7 +152,9 @@ void bindFilling(py::class_<ShapeIndex>& shape) {
           progress,
           "Fills one hole. tangents and symmetry give edges a direction in their tangent plane, or "
           "the normal of a symmetry plane they lie in; through holds points (x, y, z) and BREP of "
-          "edges and vertices to pass through. tolerance is in mm (None: a millionth of the hole's "
+          "edges and vertices to pass through. inner_continuity, G1 or G2, is how patches meet "
+          "each "
+          "other. tolerance is in mm (None: a millionth of the hole's "
           "diagonal), angle in degrees. reference is the BREP of faces that guide; guide a list of "
           "{point, normal, weight, radius}, or {normals: that list, field: {n, m, normals, "
           "weights, "
@@ -162,6 +171,7 @@ void bindFilling(py::class_<ShapeIndex>& shape) {
           symmetry,
           layout,
           energy,
+          inner,
           lambda,
           gamma,
           reference,

@@ -52,11 +52,13 @@ Tolerance toleranceOf(std::optional<double> gap, double angle) {
 }
 
 FillOptions optionsOf(const std::string& energy,
+                      const std::string& inner,
                       const Tolerance& tolerance,
                       int degree,
                       int maxPoles) {
   FillOptions options;
   options.energy = choice(text::energyFrom, "energy", energy);
+  options.inner = choice(text::continuityFrom, "inner_continuity", inner);
   options.tolerance = tolerance;
   options.degree = degree;
   options.maxPoles = maxPoles;

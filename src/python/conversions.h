@@ -52,6 +52,7 @@ T finished(Result<T> made, Progress* progress) {
 
 /// What fills and blends have in common of their options.
 [[nodiscard]] FillOptions optionsOf(const std::string& energy,
+                                    const std::string& inner,
                                     const Tolerance& tolerance,
                                     int degree,
                                     int maxPoles);

@@ -58,7 +58,9 @@ json toJson(const analysis::SeamReport& seam) {
           {"gap", toJson(seam.gap)},
           {"angle", toJson(seam.angle)},
           {"curvature", toJson(seam.curvature)},
-          {"crease", seam.crease}};
+          {"jump", toJson(seam.jump)},
+          {"crease", seam.crease},
+          {"asked", word(seam.asked)}};
 }
 
 json toJson(const analysis::InnerReport& inner) {

@@ -47,6 +47,8 @@ std::string praise(const FillReport& report) {
   text += fmt::format("gap {}", length(report.largestGap));
   if (!report.seams.empty())
     text += fmt::format("; seams within {}", angle(report.largestSeamAngle));
+  if (std::any_of(report.seams.begin(), report.seams.end(), asksSeamCurvature))
+    text += fmt::format(", curvature jumps within {}", percent(report.largestSeamJump));
   if (!report.inner.empty())
     text += fmt::format("; inner constraints within {}", length(report.largestInnerGap));
   return text + ".";

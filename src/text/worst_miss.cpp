@@ -35,6 +35,8 @@ class Ranking {
     for (const SeamReport& seam : report.seams) {
       consider({Miss::Kind::Gap, seam.gap.max / report.gapLimit, nullptr, &seam});
       consider({Miss::Kind::Angle, seam.angle.max / report.angleLimit, nullptr, &seam});
+      if (asksSeamCurvature(seam))
+        consider({Miss::Kind::Curvature, seam.jump.max / report.curvatureLimit, nullptr, &seam});
     }
     for (const InnerReport& inner : report.inner) {
       consider({Miss::Kind::Gap, inner.gap.max / report.gapLimit, nullptr, nullptr, &inner});
@@ -150,14 +152,27 @@ std::string sideSentence(const FillReport& report, const Miss& miss) {
 
 std::string seamSentence(const FillReport& report, const Miss& miss) {
   const SeamReport& seam = *miss.seam;
-  const bool gap = miss.kind == Miss::Kind::Gap;
-  return fmt::format("Patches {} and {} {} by {} at {} (allowed: {})",
-                     seam.patch + 1,
-                     seam.other + 1,
-                     gap ? "are apart" : "miss tangency",
-                     gap ? length(seam.gap.max) : angle(seam.angle.max),
-                     point(gap ? seam.gap.where : seam.angle.where),
-                     gap ? length(report.gapLimit) : angle(report.angleLimit));
+  const auto sentence = [&](const char* what,
+                            const std::string& amount,
+                            const Eigen::Vector3d& where,
+                            const std::string& limit) {
+    return fmt::format("Patches {} and {} {} by {} at {} (allowed: {})",
+                       seam.patch + 1,
+                       seam.other + 1,
+                       what,
+                       amount,
+                       point(where),
+                       limit);
+  };
+  if (miss.kind == Miss::Kind::Gap)
+    return sentence("are apart", length(seam.gap.max), seam.gap.where, length(report.gapLimit));
+  if (miss.kind == Miss::Kind::Curvature)
+    return sentence("differ in curvature",
+                    percent(seam.jump.max),
+                    seam.jump.where,
+                    percent(report.curvatureLimit));
+  return sentence(
+      "miss tangency", angle(seam.angle.max), seam.angle.where, angle(report.angleLimit));
 }
 
 }  // namespace
@@ -168,6 +183,10 @@ bool asksTangency(const SideReport& side) {
 
 bool asksCurvature(const SideReport& side) {
   return side.asked == Continuity::G2;
+}
+
+bool asksSeamCurvature(const SeamReport& seam) {
+  return !seam.crease && seam.asked == Continuity::G2;
 }
 
 std::optional<std::string> worstMiss(const FillReport& report) {

@@ -166,6 +166,11 @@ def choices_change_the_surface_and_are_kept():
     fairing.change_fill(fill, edge_continuity={}, degree=5)
     assert fill.Shape.Faces[0].Surface.UDegree == 5
     support.is_filled(fill, base, edges)
+    fairing.change_fill(fill, layout="star", inner_continuity="G2")
+    assert fill.InnerContinuity == "G2" and len(fill.Shape.Faces) == 4
+    curved = fill.Shape.copy()
+    fairing.change_fill(fill, inner_continuity="G1")
+    assert fill.InnerContinuity == "G1" and fill.Shape.CenterOfMass != curved.CenterOfMass
 
 
 def a_reference_pulls_the_surface():
@@ -192,7 +197,7 @@ def result_modes_hold_what_they_say():
 
 def survives_save_and_reopen():
     document, base, edges = support.example()
-    fill = fairing.make_fill(base, edges[:1], edge_continuity={edges[1]: "G0"}, degree=4)
+    fill = fairing.make_fill(base, edges[:1], edge_continuity={edges[1]: "G0"}, degree=4, inner_continuity="G2")
     area = fill.Shape.Area
     path = support.saved(document)
     App.closeDocument(document.Name)
@@ -200,6 +205,7 @@ def survives_save_and_reopen():
     fill = document.Fill
     assert type(fill.Proxy).__name__ == "FillFeature" and abs(fill.Shape.Area - area) < 1e-12 * area
     assert fill.EdgeContinuity == [f"{edges[1]}=G0"] and fill.Degree == 4 and fill.FairingType == "Fill"
+    assert fill.InnerContinuity == "G2"
     fill.touch()
     document.recompute()
     assert fill.isValid() and abs(fill.Shape.Area - area) < 1e-9 * area

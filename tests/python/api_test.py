@@ -54,6 +54,27 @@ def test_energies_of_the_shape_go_to_their_minimum(sheet, edges, energy):
     assert shape["steps"][-1]["energy"] <= shape["start"]
 
 
+def curvatures_in_the_middle(patches):
+    """Gaussian and mean curvature of every patch of a star where all of them meet."""
+    corners = []
+    for face in patches.Faces:
+        u0, u1, v0, v1 = face.Surface.bounds()
+        corners.append([(face.Surface.value(u, v), face.Surface, u, v) for u in (u0, u1) for v in (v0, v1)])
+    middle = min(corners[0], key=lambda corner: sum(
+        min(corner[0].distanceToPoint(other[0]) for other in others) for others in corners[1:]))[0]
+    nearest = [min(own, key=lambda corner: corner[0].distanceToPoint(middle)) for own in corners]
+    return [(surface.curvature(u, v, "Gauss"), surface.curvature(u, v, "Mean")) for _, surface, u, v in nearest]
+
+
+def test_patches_meet_in_curvature_where_that_is_asked(sheet, edges):
+    patches, report = fairing.fill(sheet, edges[:1], layout="star", inner_continuity="G2")
+    assert len(patches.Faces) == 4 and report["within_tolerance"]
+    assert all(seam["asked"] == "G2" and seam["jump"]["max"] <= 0.01 for seam in report["seams"])
+    gauss, mean = zip(*curvatures_in_the_middle(patches))
+    scale = max(map(abs, mean)) or 1.0
+    assert max(gauss) - min(gauss) < 1e-6 * scale ** 2 and max(mean) - min(mean) < 1e-6 * scale
+
+
 def test_a_reference_attracts(sheet, edges):
     free, _ = fairing.fill(sheet, edges[:1])
     reference = free.translated(App.Vector(0, 0, 5))

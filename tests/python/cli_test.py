@@ -95,6 +95,11 @@ def test_fills_from_one_edge_and_says_how_well(sheet, tmp_path):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["out.brep", "report.json"]
 
 
+def test_refuses_patches_that_only_touch(sheet, tmp_path):
+    sentence = refused("fill", sheet[0], "-o", tmp_path / "out.brep", "--inner-continuity", "G0")
+    assert "--inner-continuity" in sentence and "G0" in sentence
+
+
 def test_any_order_and_any_edges_give_the_same_file(sheet, tmp_path):
     path, edges = sheet
     files = []

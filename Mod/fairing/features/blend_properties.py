@@ -62,7 +62,7 @@ ASKED = (
      "Edges from rim to rim, of any objects, that show where a junction is cut"),
     ("GapTolerance", "App::PropertyLength", "Boundary",
      "Largest distance of an edge from the surface; 0: a millionth of the diagonal of both chains"),
-    *choice_properties.chosen("Continuity", "AngleTolerance", "Energy", "Degree", "MaxPoles"),
+    *choice_properties.chosen("Continuity", "AngleTolerance", "Energy", "InnerContinuity", "Degree", "MaxPoles"),
     *guidance_properties.ASKED,
     *guidance_properties.GUIDES,
     ("ResultMode", "App::PropertyEnumeration", "Result",
@@ -74,7 +74,8 @@ MEASURED = tuple(item for item in fill_properties.MEASURED if item[0] not in ("L
 NAMES = {"continuity": "Continuity", "from_reach": "FromReach", "to_reach": "ToReach",
          "from_reach_end": "FromReachEnd", "to_reach_end": "ToReachEnd", "from_departure": "FromDeparture",
          "to_departure": "ToDeparture", "from_flip": "FromFlip", "to_flip": "ToFlip", "from_setback": "FromSetback",
-         "to_setback": "ToSetback", "match": "Match", "ring": "Ring", "alignment": "Alignment", "energy": "Energy", "lambda_": "Lambda", "gamma": "Gamma",
+         "to_setback": "ToSetback", "match": "Match", "ring": "Ring", "alignment": "Alignment", "energy": "Energy",
+         "inner_continuity": "InnerContinuity", "lambda_": "Lambda", "gamma": "Gamma",
          "gap_tolerance": "GapTolerance", "angle_tolerance": "AngleTolerance", "degree": "Degree",
          "max_poles": "MaxPoles", "result": "ResultMode"}
 NONE_AT_ZERO = ("gap_tolerance", "from_reach_end", "to_reach_end")

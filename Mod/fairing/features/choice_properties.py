@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD as App
 
 from .. import subelements
-from ..choices import CONTINUITIES, DEPARTURES, ENERGIES, LAYOUTS, MATCHES, RESULTS, Choices
+from ..choices import CONTINUITIES, DEPARTURES, ENERGIES, INNER, LAYOUTS, MATCHES, RESULTS, Choices
 from . import guidance_properties
 from .property_modes import READ_ONLY
 
@@ -29,6 +29,8 @@ CHOSEN = (
      "mean-curvature-gradient changes its curvature as little as possible, mean-curvature-gradient-minimum takes that to "
      "the end, minimum-variation changes its curvatures as little as possible along themselves, total-curvature bends as "
      "little as possible whatever the parameters"),
+    ("InnerContinuity", "App::PropertyEnumeration", "Shape",
+     "How patches meet each other: G1 tangentially, G2 in curvature"),
     ("Degree", "App::PropertyInteger", "Shape", "Degree of the surface, 3 to 9; 0: chosen from the edges"),
     ("MaxPoles", "App::PropertyInteger", "Shape", "Largest number of control points"),
     *guidance_properties.ASKED,
@@ -36,7 +38,7 @@ CHOSEN = (
      "patches: the new faces; shell: sewn to one another; base: sewn into the base, a solid where that closes it"),
 )
 _BY_NAME = {item[0]: item for item in CHOSEN}
-WORDS = {"Continuity": CONTINUITIES, "Layout": LAYOUTS, "Energy": ENERGIES, "ResultMode": RESULTS,
+WORDS = {"Continuity": CONTINUITIES, "Layout": LAYOUTS, "Energy": ENERGIES, "InnerContinuity": INNER, "ResultMode": RESULTS,
          "FromDeparture": DEPARTURES, "ToDeparture": DEPARTURES, "Match": MATCHES}
 
 
@@ -65,6 +67,7 @@ def add(obj: App.DocumentObject, asked, measured, defaults: dict, words=None) ->
 def defaults_of(plain: Choices) -> dict:
     """Every other property starts as FreeCAD makes it: 0, empty, the first choice."""
     return {"Continuity": plain.continuity, "Layout": plain.layout, "Energy": plain.energy,
+            "InnerContinuity": plain.inner_continuity,
             "AngleTolerance": plain.angle_tolerance, "MaxPoles": plain.max_poles}
 
 
@@ -79,6 +82,7 @@ def write(obj: App.DocumentObject, chosen: Choices, reference) -> None:
     obj.AngleTolerance = chosen.angle_tolerance
     obj.Layout = chosen.layout
     obj.Energy = chosen.energy
+    obj.InnerContinuity = chosen.inner_continuity
     obj.Degree = chosen.degree
     obj.MaxPoles = chosen.max_poles
     guidance_properties.write(obj, chosen.lambda_, chosen.gamma, reference)
@@ -96,6 +100,7 @@ def read(obj: App.DocumentObject) -> dict:
     return dict(
         edge_continuity=dict(wishes(obj, "EdgeContinuity", "Edge7=G0")), tangents=directions["tangent"],
         symmetry=directions["symmetry"], continuity=obj.Continuity, layout=obj.Layout, energy=obj.Energy,
+        inner_continuity=obj.InnerContinuity,
         gap_tolerance=obj.GapTolerance.Value or None, angle_tolerance=obj.AngleTolerance.Value, degree=obj.Degree,
         max_poles=obj.MaxPoles, result=obj.ResultMode, **guidance_properties.read(obj))
 

@@ -69,6 +69,10 @@ struct SeamReport {
   Deviation angle;      ///< between the normals, degrees
   Deviation curvature;  ///< relative difference of the normal curvatures across the seam, 0 to 1
   bool crease = false;  ///< meant to be met in position only: its angle is no miss
+  Continuity asked = Continuity::G1;  ///< where it is no crease: G1 or G2
+  /// The same difference over the largest normal curvature across any seam, 0 to 2: it tells what
+  /// reflections show, where `curvature` is large beside a flat place. The one that counts for G2.
+  Deviation jump = {};
   std::vector<AnglePlace> angleCurve = {};  ///< ascending, over the seam's parameter
 };
 
@@ -150,13 +154,14 @@ struct FillReport {
   double gapLimit = 0.0;                   ///< the limits the verdict was made with, mm and degrees
   double angleLimit = 0.0;
   double cornerAngleLimit = 0.0;  ///< at corners whose twists agree
-  double curvatureLimit = 0.0;    ///< of G2 sides, relative
+  double curvatureLimit = 0.0;    ///< of G2 sides and seams, relative
   double departureLimit = 0.0;    ///< of sides with a direction asked for, degrees
   double largestGap = 0.0;        ///< over all sides
   double largestAngle = 0.0;      ///< over all sides with G1, inside
   double largestCornerAngle = 0.0;
   double largestCurvature = 0.0;  ///< mismatch over all sides with G2, inside, 0 to 1
   double largestSeamGap = 0.0, largestSeamAngle = 0.0;
+  double largestSeamJump = 0.0;  ///< of curvature over all seams with G2, 0 to 2
   double largestInnerGap = 0.0;
   bool reversed = false;  ///< the patches' normals u x v point against the supports'
   bool withinTolerance = false;

@@ -33,11 +33,13 @@ std::vector<SeamReport> measureSeams(const std::vector<spline::BsplineSurface>& 
                                      const std::vector<SeamTraces>& seams,
                                      double diagonal) {
   std::vector<SeamReport> reports;
+  double largest = kFlat / diagonal;
   for (const SeamTraces& seam : seams) {
     SeamReport report;
     report.patch = seam.first.patch;
     report.other = seam.second.patch;
     report.crease = seam.crease;
+    report.asked = seam.asked;
     const auto jetAt = [&](const SeamTrace& trace, double t) {
       const Eigen::Vector2d at = trace.start + t * (trace.end - trace.start);
       return patches[static_cast<std::size_t>(trace.patch)].jet(at.x(), at.y());
@@ -50,16 +52,23 @@ std::vector<SeamReport> measureSeams(const std::vector<spline::BsplineSurface>& 
       add(report.gap, (a.point - b.point).norm(), a.point, t);
       const double angle = angleBetween(na, nb);
       add(report.angle, angle, a.point, t);
-      report.angleCurve.push_back({t, angle});
       const Vector3d across = na.cross(a.point - before).normalized();
       const double ka = normalCurvature(a, across), kb = normalCurvature(b, across);
       add(report.curvature,
           std::abs(ka - kb) / (std::abs(ka) + std::abs(kb) + kFlat / diagonal),
           a.point,
           t);
+      add(report.jump, std::abs(ka - kb), a.point, t);
+      report.angleCurve.push_back({.t = t, .angle = angle, .curvature = std::abs(ka - kb)});
+      largest = std::max({largest, std::abs(ka), std::abs(kb)});
       before = a.point;
     }
     reports.push_back(report);
+  }
+  for (SeamReport& report : reports) {
+    report.jump.max /= largest;
+    report.jump.rms /= largest;
+    for (AnglePlace& place : report.angleCurve) place.curvature /= largest;
   }
   return reports;
 }
@@ -70,10 +79,14 @@ void addSeams(FillReport& report,
   report.seams = measureSeams(patches, seams, report.diagonal);
   for (const SeamReport& seam : report.seams) {
     report.largestSeamGap = std::max(report.largestSeamGap, seam.gap.max);
-    if (!seam.crease) report.largestSeamAngle = std::max(report.largestSeamAngle, seam.angle.max);
+    if (seam.crease) continue;
+    report.largestSeamAngle = std::max(report.largestSeamAngle, seam.angle.max);
+    if (seam.asked == Continuity::G2)
+      report.largestSeamJump = std::max(report.largestSeamJump, seam.jump.max);
   }
   report.withinTolerance = report.withinTolerance && report.largestSeamGap <= report.gapLimit &&
-                           report.largestSeamAngle <= report.angleLimit;
+                           report.largestSeamAngle <= report.angleLimit &&
+                           report.largestSeamJump <= report.curvatureLimit;
 }
 
 }  // namespace fairing::analysis

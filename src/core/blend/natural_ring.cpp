@@ -18,7 +18,7 @@ Result<NaturalRing> NaturalRing::make(const boundary::ChainRing& ring,
     if (target.isOpen()) return layout::vertexBlendPlan(target);
     return layout::junctionPlan({target, ring.cuts});
   };
-  auto made = makeSpan(ring.sides, fill.tolerance, planOf);
+  auto made = makeSpan(ring.sides, fill, planOf);
   if (!made) return fail(made.error());
   const auto span = std::make_shared<const Span>(std::move(*made));
   auto result = spanPlan(*span, fill, progress);

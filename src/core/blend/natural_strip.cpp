@@ -51,12 +51,11 @@ Result<NaturalStrip> NaturalStrip::make(const boundary::ChainPair& pair,
     asked.sides.sides[k].departure = options.departure[chain];
     asked.sides.sides[k].leaving = options.leaving[chain];
   }
-  auto made =
-      makeSpan(asked.sides, options.fill.tolerance, [&](const boundary::BoundaryLoop& target) {
-        boundary::ChainPair pairOfTarget = asked;
-        pairOfTarget.sides = target;
-        return layout::stripPlan(pairOfTarget);
-      });
+  auto made = makeSpan(asked.sides, options.fill, [&](const boundary::BoundaryLoop& target) {
+    boundary::ChainPair pairOfTarget = asked;
+    pairOfTarget.sides = target;
+    return layout::stripPlan(pairOfTarget);
+  });
   if (!made) return fail(made.error());
   const auto span = std::make_shared<const Span>(std::move(*made));
   auto result = spanPlan(*span, options.fill, progress);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/constraint/curvature_rows.h"
+#include "core/constraint/seam_curvature.h"
 #include "core/constraint/seam_ties.h"
 #include "core/constraint/tangent_plane.h"
 
@@ -101,6 +102,9 @@ Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
     }
   if (about)
     if (auto rows = curvatureRows(layout, patches, *about)) set.blocks.push_back(std::move(*rows));
+  if (about)
+    for (solver::ConstraintBlock& block : seamCurvatureRows(layout, *about))
+      set.blocks.push_back(std::move(block));
   set.ties = layout.closed ? tieClosing(layout.patches.front()) : tieSeams(layout);
   return set;
 }

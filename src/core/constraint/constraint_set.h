@@ -17,8 +17,8 @@ struct ConstraintSet {
 /// G0 (the outer row of poles is the side's curve) and G1 (R_v . n = 0) for every side that asks:
 /// first a block per corner for its twist, then one per side. Fails with SupportNormalSingular.
 /// docs/algorithms/quad_fill.md
-/// Sides that ask for G2 get their curvature rows only where there are points to linearise them
-/// about (curvature_rows.h).
+/// Sides and seams that ask for G2 get their curvature rows only where there are points to
+/// linearise them about (curvature_rows.h, seam_curvature.h).
 [[nodiscard]] Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
                                                    const layout::PatchLayout& layout,
                                                    const solver::Points* about = nullptr);

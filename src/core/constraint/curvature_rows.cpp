@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/boundary/constraint_normal.h"
+#include "core/constraint/across.h"
 #include "core/spline/bspline_basis.h"
 
 namespace fairing::constraint {
@@ -14,24 +15,6 @@ using layout::PatchEdge;
 
 bool asksForCurvature(const ConstrainedEdge& edge) {
   return edge.isTangent() && edge.side->continuity == Continuity::G2;
-}
-
-// The derivatives across an edge, into the patch, as weights of its first three rows.
-struct Across {
-  std::array<double, 3> first, second;
-};
-
-Across acrossOf(const layout::LayoutPatch& patch, PatchEdge edge) {
-  const spline::KnotVector own = layout::directionOf(edge) == 0 ? patch.v : patch.u;
-  const bool farSide = edge == PatchEdge::East || edge == PatchEdge::North;
-  const spline::KnotVector inward = farSide ? own.reversed() : own;
-  const spline::BasisRow basis = spline::basisRow(inward, inward.first(), 2);
-  Across across{};
-  for (int k = 0; k < 3; ++k) {
-    across.first[static_cast<std::size_t>(k)] = basis.values(1, k);
-    across.second[static_cast<std::size_t>(k)] = basis.values(2, k);
-  }
-  return across;
 }
 
 // A patch edge with the three rows of control points its curvature depends on.

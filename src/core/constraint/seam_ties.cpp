@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/constraint/seam_ties.h"
 
-#include <algorithm>
 #include <map>
 
+#include "core/constraint/seam_rows.h"
 #include "core/spline/bspline_basis.h"
 
 namespace fairing::constraint {
@@ -11,28 +11,6 @@ namespace {
 
 using layout::Seam;
 using layout::SeamFrame;
-
-// A seam's control points in its direction: on it, and the next row in either patch.
-struct SeamRows {
-  const Seam* seam = nullptr;
-  spline::KnotVector knots;  // over [0, 1]
-  std::vector<int> on, first, second;
-  double firstStep = 1.0, secondStep = 1.0;
-};
-
-SeamRows rowsOf(const layout::PatchLayout& layout, const Seam& seam) {
-  const auto& a = layout.patches[static_cast<std::size_t>(seam.first)];
-  const auto& b = layout.patches[static_cast<std::size_t>(seam.second)];
-  SeamRows rows{&seam,
-                layout::edgeKnots(a, seam.firstEdge).mapped(0.0, 1.0),
-                layout::edgePoints(a, seam.firstEdge, 0),
-                layout::edgePoints(a, seam.firstEdge, 1),
-                layout::edgePoints(b, seam.secondEdge, 1),
-                layout::crossStep(a, seam.firstEdge),
-                layout::crossStep(b, seam.secondEdge)};
-  std::reverse(rows.second.begin(), rows.second.end());
-  return rows;
-}
 
 // The derivative of order 0 or 1 along the seam of
 //   first D1 + second D2 - along R_t,   D1 = sum B_i (first_i - on_i) / firstStep,  R_t = sum B_i'
@@ -115,7 +93,7 @@ solver::TieBlock between(const SeamRows& rows) {
 std::vector<solver::TieBlock> tieSeams(const layout::PatchLayout& layout) {
   std::vector<SeamRows> seams;
   for (const Seam& seam : layout.seams)
-    if (!seam.crease) seams.push_back(rowsOf(layout, seam));
+    if (!seam.crease) seams.push_back(seamRows(layout, seam));
   std::map<int, solver::TieBlock> vertices;
   for (const SeamRows& rows : seams)
     for (std::size_t k = 0; k < 2; ++k)

@@ -32,7 +32,7 @@ Result<FillResult> fillWith(LayoutKind kind,
                             const FillOptions& options,
                             Progress* progress) {
   if (kind == LayoutKind::Trimmed) return fillTrimmed(loop, options, progress);
-  auto made = makeSpan(loop, options.tolerance, [&](const boundary::BoundaryLoop& target) {
+  auto made = makeSpan(loop, options, [&](const boundary::BoundaryLoop& target) {
     return layout::planLayout(target, kind);
   });
   if (!made) return fail(made.error());

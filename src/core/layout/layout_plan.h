@@ -23,6 +23,7 @@ struct LayoutPlan {
   QuadMesh mesh;
   bool closed = false;  ///< a strip of one patch whose East and West edges are one
   std::vector<MatchedPoints> matches = {};  ///< where a strip is cut, or starts
+  Continuity inner = Continuity::G1;        ///< how patches meet each other where no crease runs
 };
 
 }  // namespace fairing::layout

@@ -41,10 +41,11 @@ struct SeamFrame {
 struct Seam {
   int first = 0, second = 0;
   PatchEdge firstEdge = PatchEdge::South, secondEdge = PatchEdge::South;
-  std::array<int, 2> vertices{};    ///< of the mesh, at the start and at the end
-  std::array<char, 2> inside{};     ///< whether that vertex lies inside the hole
-  std::array<SeamFrame, 2> frames;  ///< at the start and at the end
-  bool crease = false;              ///< the patches meet in position only
+  std::array<int, 2> vertices{};           ///< of the mesh, at the start and at the end
+  std::array<char, 2> inside{};            ///< whether that vertex lies inside the hole
+  std::array<SeamFrame, 2> frames;         ///< at the start and at the end
+  bool crease = false;                     ///< the patches meet in position only
+  Continuity continuity = Continuity::G1;  ///< else this: G1 or G2
 
   /// The frame at t in [0, 1]: `along` as start (1 - t)^2 + end t^2; `first` and `second` linear,
   /// but level at ends inside. There the twists round the vertex obey a cyclic system, which is

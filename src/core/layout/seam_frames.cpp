@@ -76,6 +76,7 @@ Seam seamOf(const LayoutPlan& plan, const QuadSeam& from) {
   seam.second = from.second.quad;
   seam.firstEdge = from.first.edge;
   seam.secondEdge = from.second.edge;
+  seam.continuity = plan.inner;
   seam.vertices = {from.start, from.end};
   for (std::size_t k = 0; k < 2; ++k) {
     seam.inside[k] = plan.mesh.inside[static_cast<std::size_t>(seam.vertices[k])];

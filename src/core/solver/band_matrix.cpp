@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "core/base/parallel_for.h"
 
 // Columns lie one after the other, each from its diagonal on, so that the entry to the right of
 // another is stride - 1 farther: dense blocks of the band are ordinary matrices with that stride,
@@ -18,6 +19,10 @@ namespace {
 // Columns factored at once: enough for products of blocks, few beside the band. From 32 to 96 there
 // is little between them at a width of 370.
 constexpr int kBlock = 48;
+
+// Rows and columns of the tiles that threads take one by one: the same whatever their number, and
+// with it every rounding.
+constexpr int kTile = 96;
 
 }  // namespace
 
@@ -55,17 +60,40 @@ void BandMatrix::addThreefold(double factor, const BandMatrix& other) {
       for (int c = 0; c < 3; ++c) at(3 * i + c, 3 * j + c) += factor * other.at(i, j);
 }
 
-std::optional<BandCholesky> BandCholesky::factor(BandMatrix matrix) {
+// What is below a factored diagonal block, tile by tile: first its own columns, then what they take
+// from those to the right.
+void BandCholesky::eliminate(BandMatrix& matrix, int j, int columns, int threads) {
+  const int next = j + columns, below = std::min(matrix.width_, matrix.size_ - next);
+  const int tiles = (below + kTile - 1) / kTile;
+  const auto heightFrom = [&](int tile) { return std::min(kTile, below - tile * kTile); };
+  const auto panel = [&](int tile, int height) {
+    return matrix.block(next + tile * kTile, j, height, columns);
+  };
+  parallelFor(threads, tiles, [&](int tile) {
+    BandMatrix::Block rows = panel(tile, heightFrom(tile));
+    matrix.block(j, j, columns, columns)
+        .triangularView<Eigen::Lower>()
+        .transpose()
+        .solveInPlace<Eigen::OnTheRight>(rows);
+  });
+  parallelFor(threads, tiles, [&](int tile) {
+    const int width = heightFrom(tile), at = next + tile * kTile,
+              left = below - tile * kTile - width;
+    const BandMatrix::Block own = panel(tile, width);
+    matrix.block(at, at, width, width).selfadjointView<Eigen::Lower>().rankUpdate(own, -1.0);
+    if (left > 0)
+      matrix.block(at + width, at, left, width).noalias() -=
+          panel(tile + 1, left) * own.transpose();
+  });
+}
+
+std::optional<BandCholesky> BandCholesky::factor(BandMatrix matrix, int threads) {
   for (int j = 0; j < matrix.size_; j += kBlock) {
     const int columns = std::min(kBlock, matrix.size_ - j);
     BandMatrix::Block diagonal = matrix.block(j, j, columns, columns);
     const Eigen::LLT<BandMatrix::Block> llt(diagonal);
     if (llt.info() != Eigen::Success) return std::nullopt;
-    const int next = j + columns, below = std::min(matrix.width_, matrix.size_ - next);
-    if (below == 0) continue;
-    BandMatrix::Block panel = matrix.block(next, j, below, columns);
-    diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(panel);
-    matrix.block(next, next, below, below).selfadjointView<Eigen::Lower>().rankUpdate(panel, -1.0);
+    eliminate(matrix, j, columns, threads);
   }
   return BandCholesky(std::move(matrix));
 }

@@ -41,13 +41,15 @@ class BandMatrix {
 /// The Cholesky factor L of a banded matrix A = L L'. L has the same band.
 class BandCholesky {
  public:
-  /// Takes the matrix over; nothing if it is not positive definite. Cost size * width^2.
-  [[nodiscard]] static std::optional<BandCholesky> factor(BandMatrix matrix);
+  /// Takes the matrix over; nothing if it is not positive definite. Cost size * width^2, shared by
+  /// so many threads; the result does not depend on their number, to the last bit.
+  [[nodiscard]] static std::optional<BandCholesky> factor(BandMatrix matrix, int threads = 1);
 
   /// The X of A X = right, right size x k.
   [[nodiscard]] Eigen::MatrixXd solve(Eigen::MatrixXd right) const;
 
  private:
+  static void eliminate(BandMatrix& matrix, int j, int columns, int threads);
   explicit BandCholesky(BandMatrix matrix) : factor_(std::move(matrix)) {}
   BandMatrix factor_;
 };

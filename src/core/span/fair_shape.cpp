@@ -166,7 +166,7 @@ class Improvement {
     shape.history.end = solver::ShapeEnd::Limit;
     for (int k = 0; k < effort.steps; ++k) {
       if (progress_ && progress_->isAbortRequested()) return fail({ErrorCode::Cancelled});
-      if (isIterated(plan_.cut.loop, options_)) {
+      if (isIterated(plan_, options_)) {
         auto moved = solveFor(shape.layout, {points, points, {}}, true);
         if (!moved) return moved;
         points = std::move(*moved);

@@ -28,6 +28,8 @@ std::optional<Error> validate(const FillOptions& options) {
   if (auto wrong = energy::validate(options.guidance)) return wrong;
   if (options.guidance.hasField() && !options.guidance.corners)
     return Error{.code = ErrorCode::FieldUnplaced};
+  if (options.inner == Continuity::G0)
+    return Error{.code = ErrorCode::UnknownChoice, .detail = "\"G0\" for inner continuity"};
   if (options.degree != 0 && (options.degree < kLeastDegree || options.degree > kLargestDegree))
     return error(ErrorCode::DegreeOutOfRange, options.degree);
   if (options.maxPoles < kLeastPoles) return error(ErrorCode::ControlPointLimit, options.maxPoles);

@@ -19,6 +19,7 @@ struct FillOptions {
   EnergyKind energy = EnergyKind::MeanCurvatureGradient;
   std::vector<InnerConstraint> through;  ///< what the patches must pass through
   energy::Guidance guidance;             ///< lambda, gamma and what they refer to; none by default
+  Continuity inner = Continuity::G1;     ///< how patches meet each other, G1 or G2
   Tolerance tolerance;
   int degree = 0;          ///< 0 = chosen from the edges; else 3 to 9, never below the edges' own
   int maxRefinements = 6;  ///< solves after the first one
@@ -26,7 +27,7 @@ struct FillOptions {
 };
 
 /// The first thing wrong with the options, if any: ToleranceNotPositive, AngleNotPositive,
-/// WeightNegative, DegreeOutOfRange, FieldUnplaced...
+/// WeightNegative, DegreeOutOfRange, FieldUnplaced, UnknownChoice...
 [[nodiscard]] std::optional<Error> validate(const FillOptions& options);
 
 }  // namespace fairing

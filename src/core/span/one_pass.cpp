@@ -28,7 +28,7 @@ Result<Solved> solveUnguided(const Span& span,
                              const layout::PatchLayout& layout,
                              const FillOptions& options,
                              Aim& aim) {
-  const int newtonSteps = isIterated(span.plan.cut.loop, options) ? kNewtonSteps : 0;
+  const int newtonSteps = isIterated(span.plan, options) ? kNewtonSteps : 0;
   for (int k = 0;; ++k) {
     auto program = makeProgram(span.plan, layout, options.energy, aim, options.through);
     if (!program) return fail(program.error());
@@ -49,7 +49,7 @@ Result<solver::Solution> solveGuided(const Span& span,
                                      Progress* progress) {
   const energy::Guidance& guidance = options.guidance;
   if (const auto wrong = fieldMisplaced(guidance, layout)) return fail(*wrong);
-  const bool isNewton = isIterated(span.plan.cut.loop, options);
+  const bool isNewton = isIterated(span.plan, options);
   const bool looksUp = guidance.isDrawn();
   solver::Points current = aim.near ? *aim.near : unguided;
   std::optional<solver::GuidedProgram> guided;

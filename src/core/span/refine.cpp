@@ -119,12 +119,21 @@ std::set<double> wishedAlong(const analysis::SideTrace& trace,
 }
 
 // Where a seam is to be refined: at its worst place; in blends, where seams are long and bent,
-// wherever they are too wide.
-std::vector<double> wideOpen(const analysis::SeamReport& seam, LayoutKind kind, double limit) {
-  if (kind != LayoutKind::Strip && kind != LayoutKind::Junction) return {seam.angle.parameter};
+// wherever they are too wide; and wherever curvature jumps that is not to.
+std::vector<double> wideOpen(const analysis::SeamReport& seam,
+                             LayoutKind kind,
+                             const analysis::FillReport& report,
+                             double aim) {
+  const double limit = aim * report.angleLimit;
+  const bool isBlend = kind == LayoutKind::Strip || kind == LayoutKind::Junction;
   std::vector<double> places;
-  for (const analysis::AnglePlace& place : seam.angleCurve)
-    if (place.angle > limit) places.push_back(place.t);
+  if (seam.crease) return places;
+  if (!isBlend && seam.angle.max > limit) places.push_back(seam.angle.parameter);
+  for (const analysis::AnglePlace& place : seam.angleCurve) {
+    const bool jumps =
+        seam.asked == Continuity::G2 && place.curvature > aim * report.curvatureLimit;
+    if (jumps || (isBlend && place.angle > limit)) places.push_back(place.t);
+  }
   return places;
 }
 
@@ -133,8 +142,9 @@ std::vector<double> wideOpen(const analysis::SeamReport& seam, LayoutKind kind, 
 double excess(const analysis::FillReport& report) {
   constexpr double kBackwards = 1e6;
   constexpr double kTieShare = 1e-3;
-  double worst = std::max(report.largestSeamAngle / report.angleLimit,
-                          report.largestInnerGap / report.gapLimit);
+  double worst = std::max({report.largestSeamAngle / report.angleLimit,
+                           report.largestSeamJump / report.curvatureLimit,
+                           report.largestInnerGap / report.gapLimit});
   double sum = worst;
   for (const analysis::SideReport& side : report.sides) {
     double own = side.gap.max / report.gapLimit;
@@ -190,7 +200,10 @@ std::vector<analysis::SeamTraces> seamTraces(const layout::PatchLayout& layout) 
         edgeEnds(layout.patches[static_cast<std::size_t>(seam.first)], seam.firstEdge);
     const EdgeEnds b =
         edgeEnds(layout.patches[static_cast<std::size_t>(seam.second)], seam.secondEdge);
-    traces.push_back({{seam.first, a.start, a.end}, {seam.second, b.end, b.start}, seam.crease});
+    traces.push_back({{seam.first, a.start, a.end},
+                      {seam.second, b.end, b.start},
+                      seam.crease,
+                      seam.continuity});
   }
   return traces;
 }
@@ -209,10 +222,9 @@ std::vector<KnotWish> wishedKnots(const layout::LayoutPlan& plan,
   }
   const auto seams = seamTraces(layout);
   for (std::size_t k = 0; k < seams.size(); ++k) {
-    if (seams[k].crease || report.seams[k].angle.max <= aim * report.angleLimit) continue;
     const analysis::SeamTrace& trace = seams[k].first;
     const auto p = static_cast<std::size_t>(trace.patch);
-    for (const double t : wideOpen(report.seams[k], layout.kind, aim * report.angleLimit)) {
+    for (const double t : wideOpen(report.seams[k], layout.kind, report, aim)) {
       const Eigen::Vector2d at = trace.start + t * (trace.end - trace.start);
       if (layout::directionOf(layout.seams[k].firstEdge) == 0)
         u[p].merge(middlesAt(layout.patches[p].u, at[0]));

@@ -108,9 +108,11 @@ Result<solver::QuadraticProgram> makeProgram(const layout::LayoutPlan& plan,
   return program;
 }
 
-bool isIterated(const boundary::BoundaryLoop& loop, const FillOptions& options) {
-  return !options.through.empty() ||
-         std::any_of(loop.sides.begin(), loop.sides.end(), [](const boundary::BoundarySide& side) {
+bool isIterated(const layout::LayoutPlan& plan, const FillOptions& options) {
+  const auto& sides = plan.cut.loop.sides;
+  const bool curvedSeams = plan.inner == Continuity::G2 && plan.mesh.quads.size() > 1;
+  return !options.through.empty() || curvedSeams ||
+         std::any_of(sides.begin(), sides.end(), [](const boundary::BoundarySide& side) {
            return side.continuity == Continuity::G2;
          });
 }

@@ -40,7 +40,8 @@ struct HeldPoints {
 /// What the patches are drawn to, in points of their layout.
 struct Aim {
   std::optional<solver::Points> shape;  ///< the energy is that of the difference to it
-  /// Where G2 sides and inner constraints are taken; without it sides are G1, constraints left out.
+  /// Where G2 sides and seams and inner constraints are taken; without it these are G1, constraints
+  /// left out.
   std::optional<solver::Points> about;
   HeldPoints held;
   /// Where guidance that isDrawn() is looked up first; without it near the minimiser that nothing
@@ -56,8 +57,9 @@ struct Aim {
     const Aim& aim = {},
     const std::vector<InnerConstraint>& through = {});
 
-/// Whether a program has rows that depend on where they are taken: G2 sides, inner constraints.
-[[nodiscard]] bool isIterated(const boundary::BoundaryLoop& loop, const FillOptions& options);
+/// Whether a program has rows that depend on where they are taken: G2 sides and seams, inner
+/// constraints.
+[[nodiscard]] bool isIterated(const layout::LayoutPlan& plan, const FillOptions& options);
 
 /// What is wrong with a field on the patches of a layout, if anything: FieldManyPatches.
 [[nodiscard]] std::optional<Error> fieldMisplaced(const energy::Guidance& guidance,

@@ -52,14 +52,16 @@ Result<void> measureKept(const Span& span, const FillOptions& options, FillResul
 }  // namespace
 
 Result<Span> makeSpan(const boundary::BoundaryLoop& loop,
-                      const Tolerance& tolerance,
+                      const FillOptions& options,
                       const PlanOf& planOf) {
+  const Tolerance& tolerance = options.tolerance;
   auto target =
       boundary::followSupports(loop,
                                kFollowAim * tolerance.angle,
                                kFollowAim * std::max(tolerance.angle, tolerance.cornerAngle));
   auto plan = planOf(target);
   if (!plan) return fail(plan.error());
+  plan->inner = options.inner;
   analysis::LoopProbe probe = analysis::probeLoop(loop, target, startsOf(*plan, loop));
   return Span{loop, std::move(target), std::move(probe), std::move(*plan)};
 }

@@ -18,7 +18,7 @@ using PlanOf = std::function<Result<layout::LayoutPlan>(const boundary::Boundary
 /// far as the angles allowed ask (boundary/follow_support.h), and that is planned for. Fails as
 /// `planOf` does.
 [[nodiscard]] Result<Span> makeSpan(const boundary::BoundaryLoop& loop,
-                                    const Tolerance& tolerance,
+                                    const FillOptions& options,
                                     const PlanOf& planOf);
 
 /// The patches of a plan, refined until they are within tolerance or the limits of the options are

@@ -101,6 +101,11 @@ BlendingValue<double> BlendingFunctional::value(const spline::Poles& points) con
   return sum;
 }
 
+double BlendingFunctional::total(const spline::Poles& points) const {
+  const BlendingValue<double> at = value(points);
+  return at.shape + c_ * at.parametrisation;
+}
+
 void BlendingFunctional::addGradient(const LaneRows& slopes,
                                      const Batch& batch,
                                      Eigen::VectorXd& gradient) const {

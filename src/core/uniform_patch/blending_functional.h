@@ -28,9 +28,11 @@ class BlendingFunctional {
 
   /// S and Q of a net's points. Not finite where a normal vanishes.
   [[nodiscard]] BlendingValue<double> value(const spline::Poles& points) const;
+  /// F = S + c Q of them.
+  [[nodiscard]] double total(const spline::Poles& points) const;
   [[nodiscard]] BlendingModel model(const spline::Poles& points) const;
   [[nodiscard]] Eigen::VectorXd gradient(const spline::Poles& points) const;
-  [[nodiscard]] double weight() const { return c_; }
+  [[nodiscard]] int threads() const { return threads_; }
 
  private:
   struct Batch;

@@ -10,14 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The span a parameter lies in, and how far.
-struct SpanParameter {
-  SpanParameter(double t, int spans)
-      : span(std::clamp(static_cast<int>(t) - 3, 0, spans - 1)), local(t - 3.0 - span) {}
-  int span;
-  double local;
-};
-
 // All knots of the domain along one side.
 std::vector<double> knotsOf(int spans) {
   std::vector<double> knots;
@@ -35,7 +27,7 @@ Result<void> validate(const ControlNet& net) {
 }
 
 Vector3d evaluate(const ControlNet& net, double u, double v, int a, int b) {
-  const SpanParameter s(u, net.spansU()), t(v, net.spansV());
+  const SpanPlace s(u, net.spansU()), t(v, net.spansV());
   const Eigen::Matrix4d bu = cubicRows(s.local), bv = cubicRows(t.local);
   Vector3d sum = Vector3d::Zero();
   for (int i = 0; i < 4; ++i)

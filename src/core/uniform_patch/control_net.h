@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 
 #include "core/base/result.h"
 #include "core/spline/bspline_curve.h"
@@ -24,11 +25,24 @@ struct ControlNet {
   [[nodiscard]] int index(int i, int j) const { return i * columns + j; }
   [[nodiscard]] int spansU() const { return rows - 3; }
   [[nodiscard]] int spansV() const { return columns - 3; }
+  /// The control points that move span (i, j): number 4 * k + l is d_(i + k, j + l).
+  [[nodiscard]] std::array<int, 16> spanPoints(int i, int j) const {
+    std::array<int, 16> numbers{};
+    for (int k = 0; k < 16; ++k) numbers[std::size_t(k)] = index(i + k / 4, j + k % 4);
+    return numbers;
+  }
   /// Whether d_ij lies inside the given rings.
   [[nodiscard]] bool isInner(int i, int j) const {
     return std::min({i, j, rows - 1 - i, columns - 1 - j}) >= kRings;
   }
 };
+
+/// Calls visit(spanPoints(i, j)) for every span, those of one i after the other.
+template <class Visit>
+void forEachSpan(const ControlNet& net, const Visit& visit) {
+  for (int i = 0; i < net.spansU(); ++i)
+    for (int j = 0; j < net.spansV(); ++j) visit(net.spanPoints(i, j));
+}
 
 /// Fails with NetTooSmall if no point lies inside the rings, with NotFinite at a coordinate that is
 /// not a number.

@@ -45,8 +45,7 @@ DampedStep DampedSearch::along(const spline::Poles& points,
       free_->spread(Eigen::Map<const spline::Poles>(step.data(), step.size() / 3, 3));
   DampedStep result;
   result.points = points + moves;
-  const BlendingValue<double> value = functional_->value(result.points);
-  result.value = value.shape + functional_->weight() * value.parametrisation;
+  result.value = functional_->total(result.points);
   result.promised = -0.5 * gradient.dot(step);
   result.length = moves.rowwise().norm().maxCoeff();
   return result;
@@ -57,7 +56,7 @@ std::optional<DampedStep> DampedSearch::lowering(const Place& place, double damp
   solver::BandMatrix matrix = place.model.hessian;
   if (damping > 0.0) matrix.addThreefold(damping, metric_);
   ++factorisations_;
-  auto factor = solver::BandCholesky::factor(std::move(matrix));
+  auto factor = solver::BandCholesky::factor(std::move(matrix), functional_->threads());
   if (!factor) return std::nullopt;
   DampedStep step = along(place.points, place.model.gradient, *factor);
   // at the minimum rounding hides what a step changes
@@ -72,13 +71,17 @@ double DampedSearch::lowered(double damping) const {
   return damping <= newtonBelow_ ? 0.0 : damping / kRatio;
 }
 
+// A step with more damping, if F is lower there.
+void DampedSearch::raiseOnce(const Place& place, std::optional<DampedStep>& best) {
+  if (auto more = lowering(place, kRatio * best->damping); more && more->value < best->value)
+    best = std::move(more);
+}
+
 // Raises the damping until F falls, and once more: the first step that lowers F is often a wild
 // one.
 void DampedSearch::raise(const Place& place, double damping, std::optional<DampedStep>& best) {
   for (; !best && damping < kMostDamping; damping *= kRatio) best = lowering(place, damping);
-  if (!best) return;
-  if (auto more = lowering(place, kRatio * best->damping); more && more->value < best->value)
-    best = std::move(more);
+  if (best) raiseOnce(place, best);
 }
 
 // Lowers the damping as long as F falls the lower for it.
@@ -86,10 +89,14 @@ void DampedSearch::lower(const Place& place, std::optional<DampedStep>& best) {
   while (best->damping > 0.0) {
     const double damping = lowered(best->damping);
     auto less = lowering(place, damping);
-    if (!less && damping == 0.0) newtonBelow_ = std::max(newtonBelow_ / kPatience, kLeastThreshold);
+    if (!less && damping == 0.0) waitWithNewton();
     if (!less || less->value >= best->value) return;
     best = std::move(less);
   }
+}
+
+void DampedSearch::waitWithNewton() {
+  newtonBelow_ = std::max(newtonBelow_ / kPatience, kLeastThreshold);
 }
 
 std::optional<DampedStep> DampedSearch::best(const spline::Poles& points,
@@ -100,15 +107,13 @@ std::optional<DampedStep> DampedSearch::best(const spline::Poles& points,
   if (best) {
     const double first = best->damping;
     lower(place, best);
-    if (first > 0.0 && best->damping == first &&
-        model.value - best->value <= kPoor * best->promised)
-      if (auto more = lowering(place, kRatio * first); more && more->value < best->value)
-        best = std::move(more);
+    const bool isPoor = model.value - best->value <= kPoor * best->promised;
+    if (first > 0.0 && best->damping == first && isPoor) raiseOnce(place, best);
   } else if (suggested_ > 0.0) {
     raise(place, kRatio * suggested_, best);
   } else {
     const double first = newtonBelow_;
-    newtonBelow_ = std::max(newtonBelow_ / kPatience, kLeastThreshold);
+    waitWithNewton();
     raise(place, first, best);
     if (best && best->damping == first) lower(place, best);
   }

@@ -39,7 +39,9 @@ class DampedSearch {
   struct Place;  // where a search is
   [[nodiscard]] std::optional<DampedStep> lowering(const Place& place, double damping);
   void raise(const Place& place, double damping, std::optional<DampedStep>& best);
+  void raiseOnce(const Place& place, std::optional<DampedStep>& best);
   void lower(const Place& place, std::optional<DampedStep>& best);
+  void waitWithNewton();
   [[nodiscard]] double lowered(double damping) const;
 
   const FreePoints* free_;

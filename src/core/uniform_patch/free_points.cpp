@@ -26,8 +26,8 @@ constexpr double kContradiction = 1e-9;
 
 RowVectorXd basisAt(double parameter, int points) {
   RowVectorXd row = RowVectorXd::Zero(points);
-  const int span = std::clamp(static_cast<int>(parameter) - 3, 0, points - 4);
-  row.segment<4>(span) = cubicRows(parameter - 3.0 - span).row(0);
+  const SpanPlace place(parameter, points - 3);
+  row.segment<4>(place.span) = cubicRows(place.local).row(0);
   return row;
 }
 
@@ -168,16 +168,15 @@ spline::Poles FreePoints::gather(const spline::Poles& slopes) const {
 
 int FreePoints::couplingWidth(const ControlNet& net) const {
   int width = 0;
-  for (int i = 0; i < net.spansU(); ++i)
-    for (int j = 0; j < net.spansV(); ++j) {
-      int least = count, most = 0;
-      for (int k = 0; k < 16; ++k)
-        for (const Term& term : terms[std::size_t(net.index(i + k / 4, j + k % 4))]) {
-          least = std::min(least, term.free);
-          most = std::max(most, term.free);
-        }
-      width = std::max(width, most - least);
-    }
+  forEachSpan(net, [&](const std::array<int, 16>& points) {
+    int least = count, most = 0;
+    for (const int point : points)
+      for (const Term& term : terms[std::size_t(point)]) {
+        least = std::min(least, term.free);
+        most = std::max(most, term.free);
+      }
+    width = std::max(width, most - least);
+  });
   return width;
 }
 

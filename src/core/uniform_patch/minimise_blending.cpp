@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/stopwatch.h"
+#include "core/spline/quadrature.h"
 #include "core/uniform_patch/blending_functional.h"
 #include "core/uniform_patch/damped_step.h"
 #include "core/uniform_patch/triharmonic.h"
@@ -30,27 +31,26 @@ constexpr double kNoShape = 1e-9;
 // none.
 constexpr double kNoNormal = 1e-9;
 
-Result<void> checkNormals(const ControlNet& net) {
-  const SpanQuadrature quadrature(kPoints);
-  const double least = kNoNormal * borderDiameter(net) / (net.spansU() + net.spansV());
-  for (int i = 0; i < net.spansU(); ++i)
-    for (int j = 0; j < net.spansV(); ++j)
-      for (int p = 0; p < quadrature.n; ++p)
-        for (int q = 0; q < quadrature.n; ++q) {
-          Eigen::Matrix<double, 2, 3> slopes = Eigen::Matrix<double, 2, 3>::Zero();
-          Eigen::Vector3d point = Eigen::Vector3d::Zero();
-          for (int k = 0; k < 16; ++k) {
-            const Eigen::RowVector3d pole = net.points.row(net.index(i + k / 4, j + k % 4));
-            slopes += quadrature.jets.block<2, 1>(9 * quadrature.index(p, q), k) * pole;
-            point += quadrature.rows[std::size_t(p)](0, k / 4) *
-                     quadrature.rows[std::size_t(q)](0, k % 4) * pole.transpose();
-          }
-          const Eigen::Vector3d u = slopes.row(0), v = slopes.row(1);
+// The parameters of the quadrature along one direction.
+std::vector<double> quadratureParameters(int spans) {
+  std::vector<double> parameters;
+  for (int k = 0; k < spans; ++k)
+    for (const spline::QuadraturePoint& point : spline::gaussLegendre(kPoints, 3.0 + k, 4.0 + k))
+      parameters.push_back(point.parameter);
+  return parameters;
+}
 
-          if (!(std::min(u.norm(), v.norm()) > least &&
-                u.cross(v).norm() > kNoNormal * u.norm() * v.norm()))
-            return fail({.code = ErrorCode::NormalVanishes, .where = point});
-        }
+Result<void> checkNormals(const ControlNet& net) {
+  const double least = kNoNormal * borderDiameter(net) / (net.spansU() + net.spansV());
+  const std::vector<double> vs = quadratureParameters(net.spansV());
+  for (const double u : quadratureParameters(net.spansU()))
+    for (const double v : vs) {
+      const Eigen::Vector3d pu = evaluate(net, u, v, 1, 0), pv = evaluate(net, u, v, 0, 1);
+      const bool hasNormal = std::min(pu.norm(), pv.norm()) > least &&
+                             pu.cross(pv).norm() > kNoNormal * pu.norm() * pv.norm();
+      if (!hasNormal)
+        return fail({.code = ErrorCode::NormalVanishes, .where = evaluate(net, u, v)});
+    }
   return {};
 }
 

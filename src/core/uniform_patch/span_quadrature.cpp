@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/uniform_patch/span_quadrature.h"
 
+#include <algorithm>
+
 #include "core/spline/quadrature.h"
 #include "core/spline/surface_grid.h"
 
@@ -16,6 +18,9 @@ Eigen::Matrix4d cubicRows(double t) {
       -1.0, 3.0, -3.0, 1.0;
   return rows;
 }
+
+SpanPlace::SpanPlace(double t, int spans)
+    : span(std::clamp(static_cast<int>(t) - 3, 0, spans - 1)), local(t - 3.0 - span) {}
 
 SpanQuadrature::SpanQuadrature(int pointsPerDirection)
     : n(pointsPerDirection), jets(9 * n * n, 16) {

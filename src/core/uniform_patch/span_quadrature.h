@@ -9,6 +9,14 @@ namespace fairing::uniform_patch {
 /// (k, i) is the k-th derivative of the i-th. [Kiciak2011] section 2.
 [[nodiscard]] Eigen::Matrix4d cubicRows(double t);
 
+/// Where a parameter t lies on a direction's knots: the span 3 + span <= t <= 4 + span, and how far
+/// into it. Parameters beyond the domain count as of the span next to them.
+struct SpanPlace {
+  SpanPlace(double t, int spans);
+  int span;
+  double local;
+};
+
 /// Gauss-Legendre with n x n points on a span. The knots are uniform, so all spans share it.
 struct SpanQuadrature {
   explicit SpanQuadrature(int pointsPerDirection);

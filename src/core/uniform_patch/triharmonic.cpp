@@ -24,17 +24,6 @@ Element elementStiffness() {
   return element;
 }
 
-// Calls visit(pole numbers) for every span.
-template <class Visit>
-void forEachSpan(const ControlNet& net, const Visit& visit) {
-  std::array<int, 16> poles{};
-  for (int i = 0; i < net.spansU(); ++i)
-    for (int j = 0; j < net.spansV(); ++j) {
-      for (int k = 0; k < 16; ++k) poles[std::size_t(k)] = net.index(i + k / 4, j + k % 4);
-      visit(poles);
-    }
-}
-
 // Half the slopes of T.
 spline::Poles slopesOf(const ControlNet& net) {
   const Element element = elementStiffness();

@@ -131,6 +131,22 @@ TEST(Verdict, NamesPatchesWhoseSeamIsMissed) {
   EXPECT_THAT(verdict(report), StartsWith("Patches 2 and 3 are apart by 0.1 mm"));
 }
 
+TEST(Verdict, SpeaksOfCurvatureBetweenPatchesWhereItIsAsked) {
+  FillReport report = good();
+  report.seams.push_back({0, 1, deviation(1e-9), deviation(0.001), deviation(0.02)});
+  report.largestSeamAngle = 0.001;
+  report.curvatureLimit = 0.01;
+  report.largestSeamJump = 0.004;
+  report.seams[0].jump = deviation(0.004);
+  EXPECT_THAT(verdict(report), ::testing::Not(HasSubstr("curvature")));
+  report.seams[0].asked = Continuity::G2;
+  EXPECT_THAT(verdict(report),
+              HasSubstr("seams within 0.001\u00b0, curvature jumps within 0.4 %."));
+  report.withinTolerance = false;
+  report.seams[0].jump = deviation(0.3);
+  EXPECT_THAT(verdict(report), StartsWith("Patches 1 and 2 differ in curvature by 30 %"));
+}
+
 TEST(Verdict, NamesAnInnerConstraintThatIsMissed) {
   FillReport report = good();
   report.withinTolerance = false;

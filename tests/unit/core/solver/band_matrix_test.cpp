@@ -46,6 +46,17 @@ TEST(BandCholesky, SolvesAsMultiplied) {
   }
 }
 
+// Bands of one tile and of several.
+TEST(BandCholesky, DoesNotDependOnTheNumberOfThreads) {
+  for (const int width : {20, 330}) {
+    const BandMatrix matrix = randomBand(500, width);
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(500, 1);
+    const Eigen::MatrixXd alone = BandCholesky::factor(matrix)->solve(right);
+    for (const int threads : {2, 3, 8})
+      EXPECT_EQ(BandCholesky::factor(matrix, threads)->solve(right), alone) << width;
+  }
+}
+
 TEST(BandCholesky, RefusesWhatIsNotPositiveDefinite) {
   for (const int bad : {0, 60, 99}) {
     BandMatrix matrix = randomBand(100, 9);
