@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/span/shape_descent.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -55,10 +54,23 @@ bool folds(const Patches& before, const Patches& after) {
   return false;
 }
 
+VectorXd coordinatesOf(const assembly::ShapeElement& element, const solver::Points& points) {
+  VectorXd own(3 * static_cast<Index>(element.points.size()));
+  for (std::size_t k = 0; k < element.points.size(); ++k)
+    own.segment<3>(static_cast<Index>(3 * k)) = points.row(element.points[k]);
+  return own;
+}
+
+solver::Sparse displacementOf(const layout::PatchLayout& layout, const solver::Sparse& freedom) {
+  const solver::Sparse mass =
+      solver::threefold(assembly::assembleEnergy(layout, {{1.0, {0, 0}, {0, 0}}}));
+  return freedom.transpose() * solver::Sparse(mass * freedom);
+}
+
 }  // namespace
 
 struct ShapeDescent::Model {
-  MatrixXd hessian;  // in the free directions
+  solver::Sparse hessian;  // in the free directions
   VectorXd gradient;
 };
 
@@ -72,14 +84,16 @@ ShapeDescent::ShapeDescent(const layout::PatchLayout& layout,
     : layout_(layout),
       energy_(energy),
       freedom_(solver::freedomOf(program)),
+      free_(freedom_, assembly::spanPoints(layout)),
+      displacement_(displacementOf(layout, freedom_)),
+      factor_(solver::Sparse(free_.pattern() + displacement_), freedom_),
       size_(size),
       scale_(std::pow(size, -energy.sizePower())),
       quadrature_(quadrature),
       pinning_(hold.step / (size * size * scale_)),
-      start_(start) {
-  if (hold.anchor > 0.0)
-    anchor_ = hold.anchor / (size * size) *
-              assembly::assembleTangential(layout, makePatches(layout, start));
+      start_(start),
+      anchorWeight_(hold.anchor / (size * size)) {
+  if (hold.anchor > 0.0) anchor_ = assembly::assembleTangential(layout, makePatches(layout, start));
 }
 
 double ShapeDescent::energyAt(const solver::Points& points) const {
@@ -87,31 +101,34 @@ double ShapeDescent::energyAt(const solver::Points& points) const {
 }
 
 double ShapeDescent::anchorAt(const solver::Points& points) const {
-  if (anchor_.size() == 0) return 0.0;
-  const VectorXd off = solver::flat(points) - solver::flat(start_);
-  return 0.5 * off.dot(anchor_ * off) / scale_;
+  const solver::Points off = points - start_;
+  double sum = 0.0;
+  for (const assembly::ShapeElement& e : anchor_) {
+    const VectorXd own = coordinatesOf(e, off);
+    sum += own.dot(e.hessian * own);
+  }
+  return 0.5 * anchorWeight_ * sum / scale_;
 }
 
 ShapeDescent::Model ShapeDescent::modelAt(const solver::Points& points) const {
-  const Index n = 3 * layout_.pointCount;
-  MatrixXd hessian = MatrixXd::Zero(n, n);
-  VectorXd gradient = VectorXd::Zero(n);
-  for (const assembly::ShapeElement& e : assembly::assembleShapeEnergy(
-           layout_, makePatches(layout_, points), energy_, quadrature_, pinning_)) {
-    for (std::size_t b = 0; b < e.points.size(); ++b) {
-      const auto column = static_cast<Index>(3 * b), to = static_cast<Index>(3 * e.points[b]);
-      gradient.segment<3>(to) += scale_ * e.gradient.segment<3>(column);
-      for (std::size_t a = 0; a < e.points.size(); ++a)
-        hessian.block<3, 3>(3 * e.points[a], to) +=
-            scale_ * e.hessian.block<3, 3>(static_cast<Index>(3 * a), column);
+  auto elements = assembly::assembleShapeEnergy(
+      layout_, makePatches(layout_, points), energy_, quadrature_, pinning_);
+  const solver::Points off = points - start_;
+  VectorXd gradient = VectorXd::Zero(3 * layout_.pointCount);
+  std::vector<MatrixXd> hessians;
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    assembly::ShapeElement& e = elements[k];
+    e.gradient *= scale_;
+    e.hessian *= scale_;
+    if (!anchor_.empty()) {
+      e.gradient += anchorWeight_ * (anchor_[k].hessian * coordinatesOf(e, off));
+      e.hessian += anchorWeight_ * anchor_[k].hessian;
     }
+    for (std::size_t b = 0; b < e.points.size(); ++b)
+      gradient.segment<3>(3 * e.points[b]) += e.gradient.segment<3>(static_cast<Index>(3 * b));
+    hessians.push_back(std::move(e.hessian));
   }
-  if (anchor_.size() > 0) {
-    hessian += anchor_;
-    gradient += anchor_ * (solver::flat(points) - solver::flat(start_));
-  }
-  const MatrixXd reached = hessian * freedom_;
-  return {freedom_.transpose() * reached, freedom_.transpose() * gradient};
+  return {free_.sum(hessians), freedom_.transpose() * gradient};
 }
 
 ShapeStep ShapeDescent::step(solver::Points& points) {
@@ -120,11 +137,8 @@ ShapeStep ShapeDescent::step(solver::Points& points) {
   ShapeStep stay{.energy = energyAt(points), .anchor = anchorAt(points)};
   stay.before = stay.energy + stay.anchor;
   for (int trial = 0; trial < kTrials; ++trial) {
-    MatrixXd matrix = model.hessian;
-    if (damping_ > 0.0) matrix += damping_ / (size_ * size_) * displacement();
-    const Eigen::LLT<MatrixXd> factors(matrix);
-    if (factors.info() == Eigen::Success) {
-      const VectorXd free = factors.solve(-model.gradient);
+    if (factor_.factorize(model.hessian + damping_ / (size_ * size_) * displacement_)) {
+      const VectorXd free = factor_.solve(-model.gradient);
       const VectorXd moved = freedom_ * free;
       const solver::Points next =
           points + Eigen::Map<const solver::Points>(moved.data(), points.rows(), 3);
@@ -136,7 +150,7 @@ ShapeStep ShapeDescent::step(solver::Points& points) {
         taken.length = std::sqrt(moved.squaredNorm() / static_cast<double>(points.rows()));
         const double expected =
             -(model.gradient.dot(free) + 0.5 * free.dot(model.hessian * free)) / scale_;
-        if (anchor_.size() == 0 || fall > kGoodModel * expected)
+        if (anchor_.empty() || fall > kGoodModel * expected)
           damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
         return taken;
       }
@@ -144,15 +158,6 @@ ShapeStep ShapeDescent::step(solver::Points& points) {
     damping_ = damping_ == 0.0 ? kFirstDamping : kDampingFactor * damping_;
   }
   return stay;
-}
-
-// The integral of |d|^2 in the free directions, made where a step is rejected.
-const solver::Sparse& ShapeDescent::displacement() {
-  if (displacement_) return *displacement_;
-  const solver::Sparse mass =
-      solver::threefold(assembly::assembleEnergy(layout_, {{1.0, {0, 0}, {0, 0}}}));
-  displacement_ = freedom_.transpose() * solver::Sparse(mass * freedom_);
-  return *displacement_;
 }
 
 }  // namespace fairing

@@ -2,8 +2,11 @@
 #pragma once
 #include <optional>
 
+#include "core/assembly/assemble_shape_energy.h"
 #include "core/layout/patch_layout.h"
 #include "core/shape_energy/shape_energy.h"
+#include "core/solver/free_matrix.h"
+#include "core/solver/pattern_factor.h"
 #include "core/solver/quadratic_program.h"
 
 namespace fairing {
@@ -50,17 +53,19 @@ class ShapeDescent {
   struct Model;
 
   [[nodiscard]] Model modelAt(const solver::Points& points) const;
-  [[nodiscard]] const solver::Sparse& displacement();
 
   const layout::PatchLayout& layout_;
   const shape_energy::ShapeEnergy& energy_;
   solver::Sparse freedom_;
-  std::optional<solver::Sparse> displacement_;
+  solver::FreeMatrix free_;
+  solver::Sparse displacement_;  // the integral of |d|^2 in the free directions
+  solver::PatternFactor factor_;
   double size_, scale_;
   int quadrature_;
   double pinning_;
   solver::Points start_;
-  solver::Sparse anchor_;  // 3n x 3n, or empty
+  std::vector<assembly::ShapeElement> anchor_;  // without its weight, or empty
+  double anchorWeight_;
   double damping_ = 0.0;
 };
 
