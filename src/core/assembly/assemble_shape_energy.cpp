@@ -4,7 +4,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
+#include <span>
 
+#include "core/assembly/span_newton.h"
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/spline/surface_grid.h"
@@ -183,14 +185,24 @@ std::vector<PatchGrid> gridsOf(const std::vector<BsplineSurface>& patches, int p
   return grids;
 }
 
-// One element a span, whatever the number of threads: add(model, qu, qv, jet, points left in the
-// span) at every point of the quadrature, then finish(model).
-template <class Add, class Finish>
+// The points of the quadrature in one span of a patch.
+struct SpanPoints {
+  std::span<const GridPoint> u, v;
+  std::span<const Jet> jets;  // from the first one on
+  std::size_t stride;
+
+  [[nodiscard]] const Jet& jet(std::size_t i, std::size_t j) const { return jets[i * stride + j]; }
+  [[nodiscard]] double weight(std::size_t i, std::size_t j) const {
+    return u[i].weight * v[j].weight;
+  }
+};
+
+// One element a span, make(points of the quadrature), whatever the number of threads.
+template <class Make>
 std::vector<ShapeElement> elementsOf(const layout::PatchLayout& layout,
                                      const std::vector<BsplineSurface>& patches,
                                      int points,
-                                     const Add& add,
-                                     const Finish& finish) {
+                                     const Make& make) {
   FAIRING_ASSERT(patches.size() == layout.patches.size());
   const std::vector<PatchGrid> grids = gridsOf(patches, points);
   const std::vector<Span> spans = spansOf(layout);
@@ -198,16 +210,55 @@ std::vector<ShapeElement> elementsOf(const layout::PatchLayout& layout,
   inParallel(spans.size(), [&](std::size_t k) {
     const auto& [p, spanU, spanV] = spans[k];
     const GridLine &u = grids[p].u, &v = grids[p].v;
-    const std::size_t su = spanU * u.perSpan, sv = spanV * v.perSpan;
-    SpanModel model(u.points[su].basis, v.points[sv].basis);
-    std::size_t left = u.perSpan * v.perSpan;
-    for (std::size_t i = su; i < su + u.perSpan; ++i)
-      for (std::size_t j = sv; j < sv + v.perSpan; ++j, --left)
-        add(model, u.points[i], v.points[j], grids[p].jet(i, j), static_cast<Index>(left));
-    elements[k] = finish(model);
-    elements[k].points = pointsOf(layout.patches[p], u.points[su].basis, v.points[sv].basis);
+    const std::size_t su = spanU * u.perSpan, sv = spanV * v.perSpan, stride = v.points.size();
+    const SpanPoints at{std::span(u.points).subspan(su, u.perSpan),
+                        std::span(v.points).subspan(sv, v.perSpan),
+                        std::span(grids[p].jets).subspan(su * stride + sv),
+                        stride};
+    elements[k] = make(at);
+    elements[k].points = pointsOf(layout.patches[p], at.u[0].basis, at.v[0].basis);
   });
   return elements;
+}
+
+// Calls add(model, qu, qv, jet, points left in the span) at every point.
+template <class Add>
+SpanModel modelOf(const SpanPoints& at, const Add& add) {
+  SpanModel model(at.u[0].basis, at.v[0].basis);
+  std::size_t left = at.u.size() * at.v.size();
+  for (std::size_t i = 0; i < at.u.size(); ++i)
+    for (std::size_t j = 0; j < at.v.size(); ++j, --left)
+      add(model, at.u[i], at.v[j], at.jet(i, j), static_cast<Index>(left));
+  return model;
+}
+
+ShapeElement tangentialOf(const SpanPoints& at) {
+  const auto add =
+      [](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
+        model.addTangential(u, v, jet, left);
+      };
+  return modelOf(at, add).tangential();
+}
+
+// With all second derivatives.
+ShapeElement expansionOf(const SpanPoints& at, const ShapeEnergy& energy) {
+  ShapeElement element;
+  const Index count = at.u[0].basis.values.cols() * at.v[0].basis.values.cols();
+  JetBasis basis(9, count);
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, count);
+  std::vector<shape_energy::DensityHessian> hessians;
+  for (std::size_t i = 0; i < at.u.size(); ++i)
+    for (std::size_t j = 0; j < at.v.size(); ++j) {
+      const shape_energy::DensityExpansion density = energy.expanded(at.jet(i, j));
+      const double weight = at.weight(i, j);
+      setJetBasis(at.u[i].basis, at.v[j].basis, basis);
+      element.value += weight * density.value;
+      gradient += (weight * density.gradient) * basis;
+      hessians.push_back(weight * density.hessian);
+    }
+  element.gradient = Eigen::Map<const Eigen::VectorXd>(gradient.data(), gradient.size());
+  element.hessian = SpanNewton(at.u, at.v).hessian(hessians);
+  return element;
 }
 
 }  // namespace
@@ -230,27 +281,27 @@ std::vector<ShapeElement> assembleShapeEnergy(const layout::PatchLayout& layout,
                                               const ShapeEnergy& energy,
                                               int points,
                                               double pinning) {
-  return elementsOf(
-      layout,
-      patches,
-      points,
+  const auto add =
       [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
         model.add(u, v, jet, energy, left);
-      },
-      [&](const SpanModel& model) { return model.finish(pinning); });
+      };
+  return elementsOf(layout, patches, points, [&](const SpanPoints& at) {
+    return modelOf(at, add).finish(pinning);
+  });
+}
+
+std::vector<ShapeElement> expandShapeEnergy(const layout::PatchLayout& layout,
+                                            const std::vector<BsplineSurface>& patches,
+                                            const ShapeEnergy& energy,
+                                            int points) {
+  return elementsOf(
+      layout, patches, points, [&](const SpanPoints& at) { return expansionOf(at, energy); });
 }
 
 std::vector<ShapeElement> assembleTangential(const layout::PatchLayout& layout,
                                              const std::vector<BsplineSurface>& patches,
                                              int points) {
-  return elementsOf(
-      layout,
-      patches,
-      points,
-      [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
-        model.addTangential(u, v, jet, left);
-      },
-      [](const SpanModel& model) { return model.tangential(); });
+  return elementsOf(layout, patches, points, tangentialOf);
 }
 
 // The sum is taken in one order, whatever the number of threads.

@@ -34,6 +34,14 @@ struct ShapeElement {
     int points = 0,
     double pinning = 0.0);
 
+/// The same with all second derivatives: the expansion of the energy itself up to second order,
+/// whose hessian need not be positive semidefinite.
+[[nodiscard]] std::vector<ShapeElement> expandShapeEnergy(
+    const layout::PatchLayout& layout,
+    const std::vector<spline::BsplineSurface>& patches,
+    const shape_energy::ShapeEnergy& energy,
+    int points = 0);
+
 /// The matrix P of  d' P d = integral |d - (d . n) n|^2 du dv,  d displacements of the layout's
 /// points, n the normals of the given patches, by the same quadrature: as the hessians of one
 /// element a span.

@@ -12,7 +12,8 @@
 
 // One step d from the points x, in the directions T that the constraints leave free:
 //   (T' (c H + w P / s^2 + A + m M / s^2) T) y = -T' (c g + A (x - x0)),   d = T y
-// H, g   Gauss-Newton model of the energy (assembly/assemble_shape_energy.h), s the hole's diagonal
+// H, g   Gauss-Newton model of the energy (assembly/assemble_shape_energy.h), or its expansion with
+//        all second derivatives; s the hole's diagonal
 // c      the power of s that makes the energy a number without unit
 // P      tangential part of the displacement, over the surface: the energy does not see the
 //        parametrisation, which would drift
@@ -35,6 +36,10 @@ constexpr double kFirstDamping = 1e2, kDampingFactor = 3.0, kRelief = 0.1;
 // Share of the expected fall from which on the model may be trusted farther. On the few steps
 // without an anchor it always is.
 constexpr double kGoodModel = 0.7;
+// An undamped step that takes less than this share of the sum away has come to where Gauss-Newton
+// is linear, if residuals do not vanish: Newton's are tried. Where they fail, the share has to
+// shrink before they are tried again.
+constexpr double kNewtonBelow = 0.1, kPatience = 0.1;
 // Of its area before a step, with its sign: what a piece of a patch has to keep.
 constexpr double kLeastArea = 0.05;
 
@@ -74,6 +79,18 @@ struct ShapeDescent::Model {
   VectorXd gradient;
 };
 
+struct ShapeDescent::Place {
+  const solver::Points& points;
+  Patches patches;
+  double sum;  // of energy and anchor
+};
+
+struct ShapeDescent::Trial {
+  solver::Points points;
+  ShapeStep step;
+  double asExpected = 0.0;  // share of the fall that the model expects
+};
+
 ShapeDescent::ShapeDescent(const layout::PatchLayout& layout,
                            const shape_energy::ShapeEnergy& energy,
                            const solver::QuadraticProgram& program,
@@ -92,7 +109,8 @@ ShapeDescent::ShapeDescent(const layout::PatchLayout& layout,
       quadrature_(quadrature),
       pinning_(hold.step / (size * size * scale_)),
       start_(start),
-      anchorWeight_(hold.anchor / (size * size)) {
+      anchorWeight_(hold.anchor / (size * size)),
+      newtonBelow_(kNewtonBelow) {
   if (hold.anchor > 0.0) anchor_ = assembly::assembleTangential(layout, makePatches(layout, start));
 }
 
@@ -110,9 +128,8 @@ double ShapeDescent::anchorAt(const solver::Points& points) const {
   return 0.5 * anchorWeight_ * sum / scale_;
 }
 
-ShapeDescent::Model ShapeDescent::modelAt(const solver::Points& points) const {
-  auto elements = assembly::assembleShapeEnergy(
-      layout_, makePatches(layout_, points), energy_, quadrature_, pinning_);
+ShapeDescent::Model ShapeDescent::modelOf(std::vector<assembly::ShapeElement> elements,
+                                          const solver::Points& points) const {
   const solver::Points off = points - start_;
   VectorXd gradient = VectorXd::Zero(3 * layout_.pointCount);
   std::vector<MatrixXd> hessians;
@@ -131,33 +148,61 @@ ShapeDescent::Model ShapeDescent::modelAt(const solver::Points& points) const {
   return {free_.sum(hessians), freedom_.transpose() * gradient};
 }
 
+// The step that a matrix makes of a gradient, if it lets the sum fall and folds nothing.
+std::optional<ShapeDescent::Trial> ShapeDescent::tried(const solver::Sparse& matrix,
+                                                       const Model& model,
+                                                       const Place& from) {
+  if (!factor_.factorize(matrix)) return std::nullopt;
+  const VectorXd free = factor_.solve(-model.gradient), moved = freedom_ * free;
+  Trial trial;
+  trial.points = from.points + Eigen::Map<const solver::Points>(moved.data(), moved.size() / 3, 3);
+  trial.step = {.fell = true,
+                .before = from.sum,
+                .energy = energyAt(trial.points),
+                .anchor = anchorAt(trial.points)};
+  const double fall = from.sum - (trial.step.energy + trial.step.anchor);
+  if (!(fall > 0.0) || folds(from.patches, makePatches(layout_, trial.points))) return std::nullopt;
+  trial.step.length = std::sqrt(3.0 * moved.squaredNorm() / static_cast<double>(moved.size()));
+  trial.asExpected =
+      -fall * scale_ / (model.gradient.dot(free) + 0.5 * free.dot(model.hessian * free));
+  return trial;
+}
+
 ShapeStep ShapeDescent::step(solver::Points& points) {
-  const Model model = modelAt(points);
-  const Patches patches = makePatches(layout_, points);
+  if (isSlow_) {
+    if (const auto taken = newtonStep(points)) return *taken;
+    newtonBelow_ *= kPatience;
+  }
   ShapeStep stay{.energy = energyAt(points), .anchor = anchorAt(points)};
   stay.before = stay.energy + stay.anchor;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    if (factor_.factorize(model.hessian + damping_ / (size_ * size_) * displacement_)) {
-      const VectorXd free = factor_.solve(-model.gradient);
-      const VectorXd moved = freedom_ * free;
-      const solver::Points next =
-          points + Eigen::Map<const solver::Points>(moved.data(), points.rows(), 3);
-      ShapeStep taken{
-          .fell = true, .before = stay.before, .energy = energyAt(next), .anchor = anchorAt(next)};
-      const double fall = stay.before - (taken.energy + taken.anchor);
-      if (fall > 0.0 && !folds(patches, makePatches(layout_, next))) {
-        points = next;
-        taken.length = std::sqrt(moved.squaredNorm() / static_cast<double>(points.rows()));
-        const double expected =
-            -(model.gradient.dot(free) + 0.5 * free.dot(model.hessian * free)) / scale_;
-        if (anchor_.empty() || fall > kGoodModel * expected)
-          damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
-        return taken;
-      }
+  const Place from{points, makePatches(layout_, points), stay.before};
+  const Model model = modelOf(
+      assembly::assembleShapeEnergy(layout_, from.patches, energy_, quadrature_, pinning_), points);
+  isSlow_ = false;
+  for (int k = 0; k < kTrials; ++k) {
+    const auto trial =
+        tried(model.hessian + damping_ / (size_ * size_) * displacement_, model, from);
+    if (trial) {
+      const double fall = stay.before - (trial->step.energy + trial->step.anchor);
+      isSlow_ = !anchor_.empty() && damping_ == 0.0 && fall < newtonBelow_ * stay.before;
+      if (anchor_.empty() || trial->asExpected > kGoodModel)
+        damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
+      points = trial->points;
+      return trial->step;
     }
     damping_ = damping_ == 0.0 ? kFirstDamping : kDampingFactor * damping_;
   }
   return stay;
+}
+
+std::optional<ShapeStep> ShapeDescent::newtonStep(solver::Points& points) {
+  const Place from{points, makePatches(layout_, points), energyAt(points) + anchorAt(points)};
+  const Model model =
+      modelOf(assembly::expandShapeEnergy(layout_, from.patches, energy_, quadrature_), points);
+  auto trial = tried(model.hessian + 0.0 * displacement_, model, from);
+  if (!trial) return std::nullopt;
+  points = std::move(trial->points);
+  return trial->step;
 }
 
 }  // namespace fairing

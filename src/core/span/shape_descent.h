@@ -27,8 +27,8 @@ struct ShapeStep {
   double length = 0.0;  ///< root of the mean square of the displacements of points, mm
 };
 
-/// Damped Gauss-Newton steps on an energy of the shape. Every step keeps the constraints of a
-/// program exactly, lets the energy and what the anchor adds to it fall, and folds no patch.
+/// Damped Gauss-Newton and Newton steps on an energy of the shape. Every step keeps the constraints
+/// of a program exactly, lets the energy and what the anchor adds to it fall, and folds no patch.
 class ShapeDescent {
  public:
   /// `start`: points that the anchor holds; `size`: the hole's, mm; `quadrature`: points a span and
@@ -46,13 +46,23 @@ class ShapeDescent {
   [[nodiscard]] double energyAt(const solver::Points& points) const;
   /// What the anchor adds, in the energy's unit.
   [[nodiscard]] double anchorAt(const solver::Points& points) const;
-  /// Takes a step from points that meet the constraints, unless none lets the sum fall.
+  /// Takes a step from points that meet the constraints, unless none lets the sum fall:
+  /// newtonStep() where Gauss-Newton's have become slow and there is one.
   [[nodiscard]] ShapeStep step(solver::Points& points);
+  /// Takes a step with all second derivatives, undamped, if these are positive definite and it lets
+  /// the sum fall. Near a minimum the distance to it is squared, whether residuals vanish or not.
+  [[nodiscard]] std::optional<ShapeStep> newtonStep(solver::Points& points);
 
  private:
   struct Model;
+  struct Place;
+  struct Trial;
 
-  [[nodiscard]] Model modelAt(const solver::Points& points) const;
+  [[nodiscard]] Model modelOf(std::vector<assembly::ShapeElement> elements,
+                              const solver::Points& points) const;
+  [[nodiscard]] std::optional<Trial> tried(const solver::Sparse& matrix,
+                                           const Model& model,
+                                           const Place& from);
 
   const layout::PatchLayout& layout_;
   const shape_energy::ShapeEnergy& energy_;
@@ -67,6 +77,8 @@ class ShapeDescent {
   std::vector<assembly::ShapeElement> anchor_;  // without its weight, or empty
   double anchorWeight_;
   double damping_ = 0.0;
+  double newtonBelow_;
+  bool isSlow_ = false;
 };
 
 }  // namespace fairing
