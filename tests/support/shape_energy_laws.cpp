@@ -25,6 +25,26 @@ double density(const ShapeEnergy& energy, const Jet& jet) {
   return energy.residuals(jet).squaredNorm();
 }
 
+// Value, gradient and second derivatives of the density.
+void expectExactExpansionAt(const ShapeEnergy& energy, const Jet& jet) {
+  using Flat = Eigen::Map<const Eigen::Matrix<double, 27, 1>>;
+  const shape_energy::DensityExpansion exact = energy.expanded(jet);
+  const shape_energy::ResidualsWithDerivatives r = energy.linearised(jet);
+  const Eigen::VectorXd gradient = 2.0 * r.derivatives.transpose() * r.values;
+  const double slope = gradient.cwiseAbs().maxCoeff();
+  EXPECT_NEAR(exact.value, r.values.squaredNorm(), 1e-12 * r.values.squaredNorm());
+  EXPECT_THAT(Flat(exact.gradient.data()), IsNear(gradient, 1e-10 * slope));
+  const double scale = exact.hessian.cwiseAbs().maxCoeff();
+  for (Eigen::Index k = 0; k < 27; ++k) {
+    Jet unit = Jet::Zero();
+    unit.data()[k] = 1.0;
+    const Jet numerical =
+        derivative([&](double x) { return energy.expanded(jet + x * unit).gradient; }, 0.0, 1e-4);
+    EXPECT_THAT(exact.hessian.col(k), IsNear(Flat(numerical.data()), 1e-7 * scale))
+        << "jet entry " << k;
+  }
+}
+
 }  // namespace
 
 void expectExactDerivativesAt(const ShapeEnergy& energy, const Jet& jet) {
@@ -38,6 +58,7 @@ void expectExactDerivativesAt(const ShapeEnergy& energy, const Jet& jet) {
         derivative([&](double x) { return energy.residuals(jet + x * unit); }, 0.0, 1e-4);
     EXPECT_THAT(exact.derivatives.col(k), IsNear(numerical, 1e-8 * scale)) << "jet entry " << k;
   }
+  expectExactExpansionAt(energy, jet);
 }
 
 void expectExactDerivatives(const ShapeEnergy& energy, Eigen::Index residuals) {

@@ -5,7 +5,7 @@
 namespace fairing::testing {
 
 /// What every energy of the shape obeys; each reports its failures on random jets.
-/// Derivatives are those of differences, and both entries give the same values.
+/// First and second derivatives are those of differences, and all entries give the same values.
 void expectExactDerivatives(const shape_energy::ShapeEnergy& energy, Eigen::Index residuals);
 /// The same on one jet: where a formula might break down.
 void expectExactDerivativesAt(const shape_energy::ShapeEnergy& energy,

@@ -3,8 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <optional>
+#include <span>
 
+#include "core/assembly/span_newton.h"
 #include "core/base/assert.h"
+#include "core/base/parallel_for.h"
 #include "core/spline/surface_grid.h"
 
 namespace fairing::assembly {
@@ -40,12 +44,10 @@ void setJetBasis(const BasisRow& bu, const BasisRow& bv, JetBasis& basis) {
 // respect to its control points.
 class SpanModel {
  public:
-  SpanModel(const BsplineSurface& patch, const BasisRow& bu, const BasisRow& bv) {
-    const int ku = static_cast<int>(bu.values.cols()), kv = static_cast<int>(bv.values.cols());
-    basis_.resize(9, ku * kv);
-    values_.resize(0, ku * kv);
-    for (int i = 0; i < ku; ++i)
-      for (int j = 0; j < kv; ++j) indices_.push_back(patch.index(bu.first + i, bv.first + j));
+  SpanModel(const BasisRow& bu, const BasisRow& bv) {
+    const Index count = bu.values.cols() * bv.values.cols();
+    basis_.resize(9, count);
+    values_.resize(0, count);
   }
 
   void add(const GridPoint& qu,
@@ -84,15 +86,15 @@ class SpanModel {
         qu.weight * qv.weight * (Eigen::Matrix3d::Identity() - normal * normal.transpose());
   }
 
-  [[nodiscard]] ShapeElement tangential(const std::vector<int>& numbers) const {
-    ShapeElement element = empty(numbers);
+  [[nodiscard]] ShapeElement tangential() const {
+    ShapeElement element;
     element.hessian.setZero(3 * values_.cols(), 3 * values_.cols());
     pin(1.0, element.hessian);
     return element;
   }
 
-  [[nodiscard]] ShapeElement finish(const std::vector<int>& numbers, double pinning) const {
-    ShapeElement element = empty(numbers);
+  [[nodiscard]] ShapeElement finish(double pinning) const {
+    ShapeElement element;
     element.value = residuals_.squaredNorm();
     element.gradient = 2.0 * (jacobian_.transpose() * residuals_);
     MatrixXd& hessian = element.hessian;
@@ -104,12 +106,6 @@ class SpanModel {
   }
 
  private:
-  [[nodiscard]] ShapeElement empty(const std::vector<int>& numbers) const {
-    ShapeElement element;
-    for (const int pole : indices_)
-      element.points.push_back(numbers[static_cast<std::size_t>(pole)]);
-    return element;
-  }
   void pin(double weight, MatrixXd& hessian) const {
     using Stride = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
     const Index n = values_.cols(), rows = hessian.rows();
@@ -127,7 +123,6 @@ class SpanModel {
       }
   }
 
-  std::vector<int> indices_;
   MatrixXd values_;                                       // point, basis function
   Eigen::Matrix<double, 9, Eigen::Dynamic> projections_;  // a 3 x 3 matrix a point
   JetBasis basis_;
@@ -136,91 +131,201 @@ class SpanModel {
   Index filled_ = 0;
 };
 
-void scatter(const ShapeElement& element, std::vector<Eigen::Triplet<double>>& entries) {
-  const Index n = element.hessian.rows();
-  const auto place = [&](Index k) {
-    return 3 * element.points[static_cast<std::size_t>(k / 3)] + static_cast<int>(k % 3);
-  };
-  for (Index column = 0; column < n; ++column)
-    for (Index row = 0; row < n; ++row)
-      entries.emplace_back(place(row), place(column), element.hessian(row, column));
+// A patch and its span, counted along u and v.
+struct Span {
+  std::size_t patch, u, v;
+};
+
+std::vector<Span> spansOf(const layout::PatchLayout& layout) {
+  std::vector<Span> spans;
+  for (std::size_t p = 0; p < layout.patches.size(); ++p) {
+    const std::size_t countU = layout.patches[p].u.breaks().size() - 1;
+    const std::size_t countV = layout.patches[p].v.breaks().size() - 1;
+    for (std::size_t u = 0; u < countU; ++u)
+      for (std::size_t v = 0; v < countV; ++v) spans.push_back({p, u, v});
+  }
+  return spans;
 }
 
-// Calls add(model, qu, qv, jet, points left in the span) at every point of the quadrature, then
-// finish(model), span by span.
-template <class Add, class Finish>
-void visitSpans(const BsplineSurface& patch, int points, const Add& add, const Finish& finish) {
-  const GridLine u = gridLine(patch.u, points), v = gridLine(patch.v, points);
-  const std::vector<Jet> jets = spline::gridJets(patch, u, v);
-  for (std::size_t su = 0; su < u.points.size(); su += u.perSpan)
-    for (std::size_t sv = 0; sv < v.points.size(); sv += v.perSpan) {
-      SpanModel model(patch, u.points[su].basis, v.points[sv].basis);
-      std::size_t left = u.perSpan * v.perSpan;
-      for (std::size_t i = su; i < su + u.perSpan; ++i)
-        for (std::size_t j = sv; j < sv + v.perSpan; ++j, --left)
-          add(model,
-              u.points[i],
-              v.points[j],
-              jets[i * v.points.size() + j],
-              static_cast<Index>(left));
-      finish(model);
+// The points whose basis functions do not vanish on a span, in the order of SpanModel.
+std::vector<int> pointsOf(const layout::LayoutPatch& patch, const BasisRow& u, const BasisRow& v) {
+  std::vector<int> points;
+  for (Index i = 0; i < u.values.cols(); ++i)
+    for (Index j = 0; j < v.values.cols(); ++j)
+      points.push_back(
+          patch
+              .points[static_cast<std::size_t>((u.first + i) * patch.v.poleCount() + v.first + j)]);
+  return points;
+}
+
+// The points of the quadrature on one patch and the jets there.
+struct PatchGrid {
+  PatchGrid(const BsplineSurface& patch, int points)
+      : u(gridLine(patch.u, points)), v(gridLine(patch.v, points)), jets(gridJets(patch, u, v)) {}
+  [[nodiscard]] const Jet& jet(std::size_t i, std::size_t j) const {
+    return jets[i * v.points.size() + j];
+  }
+
+  GridLine u, v;
+  std::vector<Jet> jets;
+};
+
+template <class Work>
+void inParallel(std::size_t count, const Work& work) {
+  parallelFor(threadsOfMachine(), static_cast<int>(count), [&](int k) {
+    work(static_cast<std::size_t>(k));
+  });
+}
+
+std::vector<PatchGrid> gridsOf(const std::vector<BsplineSurface>& patches, int points) {
+  std::vector<std::optional<PatchGrid>> made(patches.size());
+  inParallel(patches.size(), [&](std::size_t p) { made[p].emplace(patches[p], points); });
+  std::vector<PatchGrid> grids;
+  for (std::optional<PatchGrid>& grid : made) grids.push_back(std::move(*grid));
+  return grids;
+}
+
+// The points of the quadrature in one span of a patch.
+struct SpanPoints {
+  std::span<const GridPoint> u, v;
+  std::span<const Jet> jets;  // from the first one on
+  std::size_t stride;
+
+  [[nodiscard]] const Jet& jet(std::size_t i, std::size_t j) const { return jets[i * stride + j]; }
+  [[nodiscard]] double weight(std::size_t i, std::size_t j) const {
+    return u[i].weight * v[j].weight;
+  }
+};
+
+// One element a span, make(points of the quadrature), whatever the number of threads.
+template <class Make>
+std::vector<ShapeElement> elementsOf(const layout::PatchLayout& layout,
+                                     const std::vector<BsplineSurface>& patches,
+                                     int points,
+                                     const Make& make) {
+  FAIRING_ASSERT(patches.size() == layout.patches.size());
+  const std::vector<PatchGrid> grids = gridsOf(patches, points);
+  const std::vector<Span> spans = spansOf(layout);
+  std::vector<ShapeElement> elements(spans.size());
+  inParallel(spans.size(), [&](std::size_t k) {
+    const auto& [p, spanU, spanV] = spans[k];
+    const GridLine &u = grids[p].u, &v = grids[p].v;
+    const std::size_t su = spanU * u.perSpan, sv = spanV * v.perSpan, stride = v.points.size();
+    const SpanPoints at{std::span(u.points).subspan(su, u.perSpan),
+                        std::span(v.points).subspan(sv, v.perSpan),
+                        std::span(grids[p].jets).subspan(su * stride + sv),
+                        stride};
+    elements[k] = make(at);
+    elements[k].points = pointsOf(layout.patches[p], at.u[0].basis, at.v[0].basis);
+  });
+  return elements;
+}
+
+// Calls add(model, qu, qv, jet, points left in the span) at every point.
+template <class Add>
+SpanModel modelOf(const SpanPoints& at, const Add& add) {
+  SpanModel model(at.u[0].basis, at.v[0].basis);
+  std::size_t left = at.u.size() * at.v.size();
+  for (std::size_t i = 0; i < at.u.size(); ++i)
+    for (std::size_t j = 0; j < at.v.size(); ++j, --left)
+      add(model, at.u[i], at.v[j], at.jet(i, j), static_cast<Index>(left));
+  return model;
+}
+
+ShapeElement tangentialOf(const SpanPoints& at) {
+  const auto add =
+      [](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
+        model.addTangential(u, v, jet, left);
+      };
+  return modelOf(at, add).tangential();
+}
+
+// With all second derivatives.
+ShapeElement expansionOf(const SpanPoints& at, const ShapeEnergy& energy) {
+  ShapeElement element;
+  const Index count = at.u[0].basis.values.cols() * at.v[0].basis.values.cols();
+  JetBasis basis(9, count);
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, count);
+  std::vector<shape_energy::DensityHessian> hessians;
+  for (std::size_t i = 0; i < at.u.size(); ++i)
+    for (std::size_t j = 0; j < at.v.size(); ++j) {
+      const shape_energy::DensityExpansion density = energy.expanded(at.jet(i, j));
+      const double weight = at.weight(i, j);
+      setJetBasis(at.u[i].basis, at.v[j].basis, basis);
+      element.value += weight * density.value;
+      gradient += (weight * density.gradient) * basis;
+      hessians.push_back(weight * density.hessian);
     }
+  element.gradient = Eigen::Map<const Eigen::VectorXd>(gradient.data(), gradient.size());
+  element.hessian = SpanNewton(at.u, at.v).hessian(hessians);
+  return element;
 }
 
 }  // namespace
+
+std::vector<std::vector<int>> spanPoints(const layout::PatchLayout& layout) {
+  const auto rowAt = [](const spline::KnotVector& knots, std::size_t span) {
+    const std::vector<double> breaks = knots.breaks();
+    return spline::basisRow(knots, 0.5 * (breaks[span] + breaks[span + 1]), 0);
+  };
+  std::vector<std::vector<int>> points;
+  for (const Span& span : spansOf(layout)) {
+    const layout::LayoutPatch& patch = layout.patches[span.patch];
+    points.push_back(pointsOf(patch, rowAt(patch.u, span.u), rowAt(patch.v, span.v)));
+  }
+  return points;
+}
 
 std::vector<ShapeElement> assembleShapeEnergy(const layout::PatchLayout& layout,
                                               const std::vector<BsplineSurface>& patches,
                                               const ShapeEnergy& energy,
                                               int points,
                                               double pinning) {
-  FAIRING_ASSERT(patches.size() == layout.patches.size());
-  std::vector<ShapeElement> elements;
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    visitSpans(
-        patches[p],
-        points,
-        [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
-          model.add(u, v, jet, energy, left);
-        },
-        [&](const SpanModel& model) {
-          elements.push_back(model.finish(layout.patches[p].points, pinning));
-        });
-  return elements;
+  const auto add =
+      [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
+        model.add(u, v, jet, energy, left);
+      };
+  return elementsOf(layout, patches, points, [&](const SpanPoints& at) {
+    return modelOf(at, add).finish(pinning);
+  });
 }
 
-Eigen::SparseMatrix<double> assembleTangential(const layout::PatchLayout& layout,
-                                               const std::vector<BsplineSurface>& patches,
-                                               int points) {
-  FAIRING_ASSERT(patches.size() == layout.patches.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    visitSpans(
-        patches[p],
-        points,
-        [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
-          model.addTangential(u, v, jet, left);
-        },
-        [&](const SpanModel& model) {
-          scatter(model.tangential(layout.patches[p].points), entries);
-        });
-  Eigen::SparseMatrix<double> matrix(3 * layout.pointCount, 3 * layout.pointCount);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+std::vector<ShapeElement> expandShapeEnergy(const layout::PatchLayout& layout,
+                                            const std::vector<BsplineSurface>& patches,
+                                            const ShapeEnergy& energy,
+                                            int points) {
+  return elementsOf(
+      layout, patches, points, [&](const SpanPoints& at) { return expansionOf(at, energy); });
 }
 
+std::vector<ShapeElement> assembleTangential(const layout::PatchLayout& layout,
+                                             const std::vector<BsplineSurface>& patches,
+                                             int points) {
+  return elementsOf(layout, patches, points, tangentialOf);
+}
+
+// The sum is taken in one order, whatever the number of threads.
 double shapeEnergyOf(const std::vector<BsplineSurface>& patches,
                      const ShapeEnergy& energy,
                      int points) {
+  struct Line {
+    std::size_t patch, u;
+  };
+  const std::vector<PatchGrid> grids = gridsOf(patches, points);
+  std::vector<Line> lines;
+  for (std::size_t p = 0; p < grids.size(); ++p)
+    for (std::size_t u = 0; u < grids[p].u.points.size(); ++u) lines.push_back({p, u});
+  std::vector<std::vector<double>> shares(lines.size());
+  inParallel(lines.size(), [&](std::size_t k) {
+    const auto [p, i] = lines[k];
+    const PatchGrid& grid = grids[p];
+    for (std::size_t j = 0; j < grid.v.points.size(); ++j)
+      shares[k].push_back(grid.u.points[i].weight * grid.v.points[j].weight *
+                          energy.residuals(grid.jet(i, j)).squaredNorm());
+  });
   double sum = 0.0;
-  for (const BsplineSurface& patch : patches) {
-    const GridLine u = gridLine(patch.u, points), v = gridLine(patch.v, points);
-    const std::vector<Jet> jets = spline::gridJets(patch, u, v);
-    auto jet = jets.begin();
-    for (const GridPoint& qu : u.points)
-      for (const GridPoint& qv : v.points)
-        sum += qu.weight * qv.weight * energy.residuals(*jet++).squaredNorm();
-  }
+  for (const std::vector<double>& line : shares)
+    for (const double share : line) sum += share;
   return sum;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 #include <vector>
 
 #include "core/layout/patch_layout.h"
@@ -19,11 +19,14 @@ struct ShapeElement {
   Eigen::MatrixXd hessian;
 };
 
-/// One element a span, by Gauss-Legendre with `points` a span and direction; 0 = the degree there,
-/// which leaves no zero modes but the energy's own and is good to 1e-3 of a shape that its spans
-/// can write. The patches lie on the layout's knots. Not finite where a normal vanishes.
-/// `pinning` adds  1/2 pinning * integral |d - (d . n) n|^2 du dv  to the model: the energy does
-/// not see displacements along the surface.
+/// The points of each element, in the order of the elements.
+[[nodiscard]] std::vector<std::vector<int>> spanPoints(const layout::PatchLayout& layout);
+
+/// One element a span, the same with any number of threads, by Gauss-Legendre with `points` a span
+/// and direction; 0 = the degree there, which leaves no zero modes but the energy's own and is good
+/// to 1e-3 of a shape that its spans can write. The patches lie on the layout's knots. Not finite
+/// where a normal vanishes. `pinning` adds  1/2 pinning * integral |d - (d . n) n|^2 du dv  to the
+/// model: the energy does not see displacements along the surface.
 [[nodiscard]] std::vector<ShapeElement> assembleShapeEnergy(
     const layout::PatchLayout& layout,
     const std::vector<spline::BsplineSurface>& patches,
@@ -31,9 +34,18 @@ struct ShapeElement {
     int points = 0,
     double pinning = 0.0);
 
+/// The same with all second derivatives: the expansion of the energy itself up to second order,
+/// whose hessian need not be positive semidefinite.
+[[nodiscard]] std::vector<ShapeElement> expandShapeEnergy(
+    const layout::PatchLayout& layout,
+    const std::vector<spline::BsplineSurface>& patches,
+    const shape_energy::ShapeEnergy& energy,
+    int points = 0);
+
 /// The matrix P of  d' P d = integral |d - (d . n) n|^2 du dv,  d displacements of the layout's
-/// points, n the normals of the given patches: 3n x 3n, by the same quadrature.
-[[nodiscard]] Eigen::SparseMatrix<double> assembleTangential(
+/// points, n the normals of the given patches, by the same quadrature: as the hessians of one
+/// element a span.
+[[nodiscard]] std::vector<ShapeElement> assembleTangential(
     const layout::PatchLayout& layout,
     const std::vector<spline::BsplineSurface>& patches,
     int points = 0);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/shape_energy/mean_curvature_gradient.h"
 
+#include <array>
 #include <cmath>
 
+#include "core/shape_energy/form_variables.h"
 #include "core/spline/fundamental_forms.h"
 
 // With D = E G - F^2 = W^2 and q = E n - 2 F m + G l (second form against R_u x R_v):
@@ -14,25 +16,30 @@
 namespace fairing::shape_energy {
 namespace {
 
+using spline::BasicFirstOrderJet;
+using spline::BasicFundamentalForms;
 using spline::FirstOrderJet;
 using spline::FundamentalForms;
+using std::sqrt;
 
+template <class T>
 struct Terms {
-  explicit Terms(const FundamentalForms& forms)
+  explicit Terms(const BasicFundamentalForms<T>& forms)
       : d(forms.e * forms.g + (-1.0) * (forms.f * forms.f)),
         q(forms.e * forms.n + (-2.0) * (forms.f * forms.m) + forms.g * forms.l),
         a(2.0 * q.u * d.value - 3.0 * q.value * d.u),
         b(2.0 * q.v * d.value - 3.0 * q.value * d.v),
-        w(std::sqrt(d.value)),
+        w(sqrt(d.value)),
         s2(forms.e.value + forms.g.value + 2.0 * w),
-        c(1.0 / (4.0 * std::sqrt(s2 * w) * d.value * d.value * w)) {}
+        c(1.0 / (4.0 * sqrt(s2 * w) * d.value * d.value * w)) {}
 
-  FirstOrderJet d, q;
-  double a, b, w, s2, c;
+  BasicFirstOrderJet<T> d, q;
+  T a, b, w, s2, c;
 };
 
-Eigen::Vector2d values(const FundamentalForms& forms, const Terms& t) {
-  const double e = forms.e.value, f = forms.f.value, g = forms.g.value;
+template <class T>
+std::array<T, 2> values(const BasicFundamentalForms<T>& forms, const Terms<T>& t) {
+  const T &e = forms.e.value, &f = forms.f.value, &g = forms.g.value;
   return {t.c * ((g + t.w) * t.a - f * t.b), t.c * ((e + t.w) * t.b - f * t.a)};
 }
 
@@ -49,7 +56,9 @@ FirstOrderJet through(const FirstOrderJet& slopes, const FirstOrderJet& y) {
           slopes.v * y.value};
 }
 
-FundamentalForms slopesOf(const FundamentalForms& forms, const Terms& t, const Explicit& r) {
+FundamentalForms slopesOf(const FundamentalForms& forms,
+                          const Terms<double>& t,
+                          const Explicit& r) {
   const double c = r.value / t.s2;  // -2 dr/ds^2
   const double w = r.w - c;
   const FirstOrderJet q{
@@ -75,23 +84,31 @@ FundamentalForms slopesOf(const FundamentalForms& forms, const Terms& t, const E
 
 Residuals MeanCurvatureGradient::residuals(const Jet& jet) const {
   const FundamentalForms forms = spline::fundamentalForms(jet);
-  return values(forms, Terms(forms));
+  const auto r = values(forms, Terms<double>(forms));
+  return Residuals(Eigen::Map<const Eigen::Vector2d>(r.data()));
 }
 
 ResidualsWithDerivatives MeanCurvatureGradient::linearised(const Jet& jet) const {
   const FundamentalForms forms = spline::fundamentalForms(jet);
-  const Terms t(forms);
-  const Eigen::Vector2d r = values(forms, t);
+  const Terms<double> t(forms);
+  const auto r = values(forms, t);
   const double ca = t.c * t.a, cb = t.c * t.b, cf = t.c * forms.f.value;
   const Explicit explicitly[] = {
       {r[0], 0.0, -cb, ca, ca, t.c * (forms.g.value + t.w), -cf},
       {r[1], cb, -ca, 0.0, cb, -cf, t.c * (forms.e.value + t.w)},
   };
-  ResidualsWithDerivatives result{r, ResidualDerivatives(2, 27)};
+  ResidualsWithDerivatives result{Eigen::Map<const Eigen::Vector2d>(r.data()),
+                                  ResidualDerivatives(2, 27)};
   for (int i = 0; i < 2; ++i)
     Eigen::Map<Jet>(result.derivatives.row(i).data()) =
         spline::pullBack(jet, slopesOf(forms, t, explicitly[i]));
   return result;
+}
+
+DensityExpansion MeanCurvatureGradient::expanded(const Jet& jet) const {
+  using Number = SecondDual<kFormVariables>;
+  const auto forms = formVariables<Number>(spline::fundamentalForms(jet));
+  return squaredThroughForms(jet, values(forms, Terms<Number>(forms)));
 }
 
 }  // namespace fairing::shape_energy

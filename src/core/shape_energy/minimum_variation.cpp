@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/shape_energy/dual.h"
+#include "core/shape_energy/form_variables.h"
 #include "core/spline/fundamental_forms.h"
 
 // C_ijk = h_ij;k, the covariant derivative of the second form, is symmetric in all three indices
@@ -21,17 +22,11 @@
 namespace fairing::shape_energy {
 namespace {
 
-using spline::FundamentalForms;
-
-// The fundamental forms with scalars of type T (core/spline/fundamental_forms.h).
+// The fundamental forms with scalars of type T.
 template <class T>
-struct Field {
-  T value, u, v;
-};
+using Field = spline::BasicFirstOrderJet<T>;
 template <class T>
-struct Forms {
-  Field<T> e, f, g, l, m, n;
-};
+using Forms = spline::BasicFundamentalForms<T>;
 
 template <class T>
 struct Complex {
@@ -115,51 +110,28 @@ std::array<T, 4> residualsOf(const Forms<T>& forms, double umbilic) {
   return {b.re + soft * turned.re, b.im + soft * turned.im, mean * a.re, mean * a.im};
 }
 
-constexpr int kVariables = 18;
-
-template <class T, class Make>
-Forms<T> formsOf(const FundamentalForms& forms, const Make& make) {
-  int k = 0;
-  const auto field = [&](const spline::FirstOrderJet& jet) {
-    Field<T> made{make(jet.value, k), make(jet.u, k + 1), make(jet.v, k + 2)};
-    k += 3;
-    return made;
-  };
-  // Braces keep the order.
-  return {field(forms.e),
-          field(forms.f),
-          field(forms.g),
-          field(forms.l),
-          field(forms.m),
-          field(forms.n)};
-}
-
-FundamentalForms slopesFrom(const Dual<kVariables>& residual) {
-  const auto& s = residual.slope;
-  const auto jet = [&](int k) { return spline::FirstOrderJet{s[k], s[k + 1], s[k + 2]}; };
-  return {jet(0), jet(3), jet(6), jet(9), jet(12), jet(15)};
-}
-
 }  // namespace
 
 Residuals MinimumVariation::residuals(const Jet& jet) const {
-  const auto forms =
-      formsOf<double>(spline::fundamentalForms(jet), [](double value, int) { return value; });
-  const auto r = residualsOf(forms, umbilic_);
+  const auto r = residualsOf(spline::fundamentalForms(jet), umbilic_);
   return Residuals(Eigen::Map<const Eigen::Vector4d>(r.data()));
 }
 
 ResidualsWithDerivatives MinimumVariation::linearised(const Jet& jet) const {
-  using Number = Dual<kVariables>;
-  const auto forms = formsOf<Number>(spline::fundamentalForms(jet), Number::variable);
-  const auto r = residualsOf(forms, umbilic_);
+  const auto r =
+      residualsOf(formVariables<Dual<kFormVariables>>(spline::fundamentalForms(jet)), umbilic_);
   ResidualsWithDerivatives result{Residuals(4), ResidualDerivatives(4, 27)};
   for (int i = 0; i < 4; ++i) {
     const auto k = static_cast<std::size_t>(i);
     result.values[i] = r[k].value;
-    Eigen::Map<Jet>(result.derivatives.row(i).data()) = spline::pullBack(jet, slopesFrom(r[k]));
+    Eigen::Map<Jet>(result.derivatives.row(i).data()) = spline::pullBack(jet, slopesOf(r[k].slope));
   }
   return result;
+}
+
+DensityExpansion MinimumVariation::expanded(const Jet& jet) const {
+  const auto forms = formVariables<SecondDual<kFormVariables>>(spline::fundamentalForms(jet));
+  return squaredThroughForms(jet, residualsOf(forms, umbilic_));
 }
 
 }  // namespace fairing::shape_energy

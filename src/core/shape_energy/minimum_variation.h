@@ -23,6 +23,7 @@ class MinimumVariation final : public ShapeEnergy {
 
   [[nodiscard]] Residuals residuals(const Jet& jet) const override;
   [[nodiscard]] ResidualsWithDerivatives linearised(const Jet& jet) const override;
+  [[nodiscard]] DensityExpansion expanded(const Jet& jet) const override;
   [[nodiscard]] int sizePower() const override { return -2; }
 
  private:

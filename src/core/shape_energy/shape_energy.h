@@ -21,6 +21,16 @@ struct ResidualsWithDerivatives {
   ResidualDerivatives derivatives;
 };
 
+/// Second derivatives with respect to the jet, rows and columns in its order.
+using DensityHessian = Eigen::Matrix<double, 27, 27>;
+
+/// The sum of squares of the residuals with its first and second derivatives.
+struct DensityExpansion {
+  double value = 0.0;
+  Jet gradient;
+  DensityHessian hessian;
+};
+
 /// An energy of the shape itself: the integral over the patch's parameters of the sum of squares of
 /// a few residuals, which hold the square root of the area element. Independent of the
 /// parametrisation. One file each; a new one needs nothing else.
@@ -29,6 +39,7 @@ class ShapeEnergy {
   virtual ~ShapeEnergy() = default;
   [[nodiscard]] virtual Residuals residuals(const Jet& jet) const = 0;
   [[nodiscard]] virtual ResidualsWithDerivatives linearised(const Jet& jet) const = 0;
+  [[nodiscard]] virtual DensityExpansion expanded(const Jet& jet) const = 0;
   /// The energy of the surface scaled by s is s^sizePower() times its own.
   [[nodiscard]] virtual int sizePower() const = 0;
 };

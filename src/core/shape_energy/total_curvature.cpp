@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/shape_energy/total_curvature.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "core/shape_energy/form_variables.h"
 #include "core/spline/fundamental_forms.h"
 
 // With W^2 = D = E G - F^2 the inverse square root of the first form is
@@ -17,11 +19,13 @@ namespace fairing::shape_energy {
 namespace {
 
 using spline::FundamentalForms;
+using std::sqrt;
 
 constexpr double kRoot2 = std::numbers::sqrt2;
 
+template <class T>
 struct Terms {
-  explicit Terms(const FundamentalForms& forms)
+  explicit Terms(const spline::BasicFundamentalForms<T>& forms)
       : e(forms.e.value),
         f(forms.f.value),
         g(forms.g.value),
@@ -29,16 +33,17 @@ struct Terms {
         m(forms.m.value),
         n(forms.n.value),
         d(e * g - f * f),
-        w(std::sqrt(d)),
+        w(sqrt(d)),
         x(g + w),
         y(e + w),
         s2(x + y),
-        c(1.0 / (s2 * d * std::sqrt(w))) {}
+        c(1.0 / (s2 * d * sqrt(w))) {}
 
-  double e, f, g, l, m, n, d, w, x, y, s2, c;
+  T e, f, g, l, m, n, d, w, x, y, s2, c;
 };
 
-Eigen::Vector3d values(const Terms& t) {
+template <class T>
+std::array<T, 3> values(const Terms<T>& t) {
   return {t.c * (t.x * (t.x * t.l - 2.0 * t.f * t.m) + t.f * t.f * t.n),
           kRoot2 * t.c * ((t.f * t.f + t.x * t.y) * t.m - t.f * (t.x * t.l + t.y * t.n)),
           t.c * (t.y * (t.y * t.n - 2.0 * t.f * t.m) + t.f * t.f * t.l)};
@@ -50,7 +55,7 @@ struct Explicit {
   double x, y, f, l, m, n;
 };
 
-FundamentalForms slopesOf(const Terms& t, const Explicit& r) {
+FundamentalForms slopesOf(const Terms<double>& t, const Explicit& r) {
   const double c = r.value / t.s2;  // -dr/ds^2
   const double w = r.x + r.y - 2.0 * c;
   const double d = 0.5 * w / t.w - 1.25 * r.value / t.d;
@@ -67,12 +72,13 @@ FundamentalForms slopesOf(const Terms& t, const Explicit& r) {
 }  // namespace
 
 Residuals TotalCurvature::residuals(const Jet& jet) const {
-  return values(Terms(spline::fundamentalForms(jet)));
+  const auto r = values(Terms<double>(spline::fundamentalForms(jet)));
+  return Residuals(Eigen::Map<const Eigen::Vector3d>(r.data()));
 }
 
 ResidualsWithDerivatives TotalCurvature::linearised(const Jet& jet) const {
-  const Terms t(spline::fundamentalForms(jet));
-  const Eigen::Vector3d r = values(t);
+  const Terms<double> t(spline::fundamentalForms(jet));
+  const auto r = values(t);
   const double xf = t.x * t.f, yf = t.y * t.f, ff = t.f * t.f, c = t.c, c2 = kRoot2 * t.c;
   const Explicit explicitly[] = {
       {r[0],
@@ -97,11 +103,18 @@ ResidualsWithDerivatives TotalCurvature::linearised(const Jet& jet) const {
        -2.0 * c * yf,
        c * t.y * t.y},
   };
-  ResidualsWithDerivatives result{r, ResidualDerivatives(3, 27)};
+  ResidualsWithDerivatives result{Eigen::Map<const Eigen::Vector3d>(r.data()),
+                                  ResidualDerivatives(3, 27)};
   for (int i = 0; i < 3; ++i)
     Eigen::Map<Jet>(result.derivatives.row(i).data()) =
         spline::pullBack(jet, slopesOf(t, explicitly[i]));
   return result;
+}
+
+DensityExpansion TotalCurvature::expanded(const Jet& jet) const {
+  using Number = SecondDual<kFormVariables>;
+  const auto forms = formVariables<Number>(spline::fundamentalForms(jet));
+  return squaredThroughForms(jet, values(Terms<Number>(forms)));
 }
 
 }  // namespace fairing::shape_energy

@@ -14,6 +14,7 @@ class TotalCurvature final : public ShapeEnergy {
  public:
   [[nodiscard]] Residuals residuals(const Jet& jet) const override;
   [[nodiscard]] ResidualsWithDerivatives linearised(const Jet& jet) const override;
+  [[nodiscard]] DensityExpansion expanded(const Jet& jet) const override;
   [[nodiscard]] int sizePower() const override { return 0; }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/solver/guided_program.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 
 #include "core/solver/eliminate_constraints.h"
@@ -22,18 +21,7 @@ bool isSamePattern(const Sparse& a, const Sparse& b) {
          std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
-// Dense matrices are worked on so many times as fast as sparse ones.
-constexpr double kDenseSpeed = 4.0;
-
 }  // namespace
-
-class GuidedProgram::SparseFactor : public Eigen::SimplicialLDLT<Sparse> {
- public:
-  /// Multiplications that a factorisation takes, once the pattern is analysed.
-  [[nodiscard]] double cost() const {
-    return 0.5 * m_nonZerosPerCol.template cast<double>().squaredNorm();
-  }
-};
 
 GuidedProgram::GuidedProgram(const QuadraticProgram& program) {
   const TiedPoints tied = tiePoints(program);
@@ -56,18 +44,11 @@ void GuidedProgram::setGuide(const Sparse& normals, const Sparse& points, const 
 }
 
 Result<Solution> GuidedProgram::solve(double lambda, double gamma) {
-  if (!sparse_) analyse();
+  if (!factor_) analyse();
   const Sparse matrix = own_.matrix + lambda * normals_.matrix + gamma * points_.matrix;
   const VectorXd right = own_.right + lambda * normals_.right + gamma * points_.right;
-  VectorXd y;
-  if (arrow_) {
-    if (!arrow_->factorize(matrix)) return fail({ErrorCode::SystemSingular});
-    y = arrow_->solve(right);
-  } else {
-    sparse_->factorize(matrix);
-    if (sparse_->info() != Eigen::Success) return fail({ErrorCode::SystemSingular});
-    y = sparse_->solve(right);
-  }
+  if (!factor_->factorize(matrix)) return fail({ErrorCode::SystemSingular});
+  const VectorXd y = factor_->solve(right);
   const VectorXd x = offset_ + basis_ * y;
   if (!x.allFinite()) return fail({ErrorCode::NotFinite});
   return Solution{Eigen::Map<const Points>(x.data(), x.size() / 3, 3),
@@ -82,20 +63,10 @@ GuidedProgram::Part GuidedProgram::inFreedom(const Sparse& matrix, const VectorX
   return {across_ * Sparse(matrix * basis_), across_ * right};
 }
 
-// Coordinates of their own: no tie and no row takes part in them.
-std::vector<char> GuidedProgram::innerUnknowns() const {
-  std::vector<char> inner;
-  for (int k = 0; k < basis_.cols(); ++k) inner.push_back(basis_.col(k).nonZeros() == 1);
-  return inner;
-}
-
 void GuidedProgram::analyse() {
   Sparse pattern = own_.matrix + normals_.matrix + points_.matrix;
-  if (sparse_ && isSamePattern(pattern, pattern_)) return;
-  sparse_ = std::make_shared<SparseFactor>();
-  sparse_->analyzePattern(pattern);
-  arrow_.emplace(pattern, innerUnknowns());
-  if (arrow_->cost() > kDenseSpeed * sparse_->cost()) arrow_.reset();
+  if (factor_ && isSamePattern(pattern, pattern_)) return;
+  factor_.emplace(pattern, basis_);
   pattern_ = std::move(pattern);
 }
 

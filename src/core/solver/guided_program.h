@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include <memory>
 #include <optional>
 
 #include "core/base/result.h"
-#include "core/solver/arrow_factor.h"
+#include "core/solver/pattern_factor.h"
 #include "core/solver/quadratic_program.h"
 #include "core/solver/solve.h"
 
@@ -29,8 +28,6 @@ class GuidedProgram {
     Sparse matrix;
     Eigen::VectorXd right;
   };
-  class SparseFactor;
-  [[nodiscard]] std::vector<char> innerUnknowns() const;
   [[nodiscard]] Part inFreedom(const Sparse& matrix, const Eigen::VectorXd* load) const;
   void analyse();
 
@@ -39,8 +36,7 @@ class GuidedProgram {
   int ties_ = 0, rows_ = 0;
   double residual_ = 0.0;
   Part own_, normals_, points_;
-  std::shared_ptr<SparseFactor> sparse_;  // of the two the one that costs less
-  std::optional<ArrowFactor> arrow_;
+  std::optional<PatternFactor> factor_;
   Sparse pattern_;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/span/shape_descent.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -13,7 +12,8 @@
 
 // One step d from the points x, in the directions T that the constraints leave free:
 //   (T' (c H + w P / s^2 + A + m M / s^2) T) y = -T' (c g + A (x - x0)),   d = T y
-// H, g   Gauss-Newton model of the energy (assembly/assemble_shape_energy.h), s the hole's diagonal
+// H, g   Gauss-Newton model of the energy (assembly/assemble_shape_energy.h), or its expansion with
+//        all second derivatives; s the hole's diagonal
 // c      the power of s that makes the energy a number without unit
 // P      tangential part of the displacement, over the surface: the energy does not see the
 //        parametrisation, which would drift
@@ -36,6 +36,10 @@ constexpr double kFirstDamping = 1e2, kDampingFactor = 3.0, kRelief = 0.1;
 // Share of the expected fall from which on the model may be trusted farther. On the few steps
 // without an anchor it always is.
 constexpr double kGoodModel = 0.7;
+// An undamped step that takes less than this share of the sum away has come to where Gauss-Newton
+// is linear, if residuals do not vanish: Newton's are tried. Where they fail, the share has to
+// shrink before they are tried again.
+constexpr double kNewtonBelow = 0.1, kPatience = 0.1;
 // Of its area before a step, with its sign: what a piece of a patch has to keep.
 constexpr double kLeastArea = 0.05;
 
@@ -55,11 +59,36 @@ bool folds(const Patches& before, const Patches& after) {
   return false;
 }
 
+VectorXd coordinatesOf(const assembly::ShapeElement& element, const solver::Points& points) {
+  VectorXd own(3 * static_cast<Index>(element.points.size()));
+  for (std::size_t k = 0; k < element.points.size(); ++k)
+    own.segment<3>(static_cast<Index>(3 * k)) = points.row(element.points[k]);
+  return own;
+}
+
+solver::Sparse displacementOf(const layout::PatchLayout& layout, const solver::Sparse& freedom) {
+  const solver::Sparse mass =
+      solver::threefold(assembly::assembleEnergy(layout, {{1.0, {0, 0}, {0, 0}}}));
+  return freedom.transpose() * solver::Sparse(mass * freedom);
+}
+
 }  // namespace
 
 struct ShapeDescent::Model {
-  MatrixXd hessian;  // in the free directions
+  solver::Sparse hessian;  // in the free directions
   VectorXd gradient;
+};
+
+struct ShapeDescent::Place {
+  const solver::Points& points;
+  Patches patches;
+  double sum;  // of energy and anchor
+};
+
+struct ShapeDescent::Trial {
+  solver::Points points;
+  ShapeStep step;
+  double asExpected = 0.0;  // share of the fall that the model expects
 };
 
 ShapeDescent::ShapeDescent(const layout::PatchLayout& layout,
@@ -72,14 +101,17 @@ ShapeDescent::ShapeDescent(const layout::PatchLayout& layout,
     : layout_(layout),
       energy_(energy),
       freedom_(solver::freedomOf(program)),
+      free_(freedom_, assembly::spanPoints(layout)),
+      displacement_(displacementOf(layout, freedom_)),
+      factor_(solver::Sparse(free_.pattern() + displacement_), freedom_),
       size_(size),
       scale_(std::pow(size, -energy.sizePower())),
       quadrature_(quadrature),
       pinning_(hold.step / (size * size * scale_)),
-      start_(start) {
-  if (hold.anchor > 0.0)
-    anchor_ = hold.anchor / (size * size) *
-              assembly::assembleTangential(layout, makePatches(layout, start));
+      start_(start),
+      anchorWeight_(hold.anchor / (size * size)),
+      newtonBelow_(kNewtonBelow) {
+  if (hold.anchor > 0.0) anchor_ = assembly::assembleTangential(layout, makePatches(layout, start));
 }
 
 double ShapeDescent::energyAt(const solver::Points& points) const {
@@ -87,72 +119,90 @@ double ShapeDescent::energyAt(const solver::Points& points) const {
 }
 
 double ShapeDescent::anchorAt(const solver::Points& points) const {
-  if (anchor_.size() == 0) return 0.0;
-  const VectorXd off = solver::flat(points) - solver::flat(start_);
-  return 0.5 * off.dot(anchor_ * off) / scale_;
+  const solver::Points off = points - start_;
+  double sum = 0.0;
+  for (const assembly::ShapeElement& e : anchor_) {
+    const VectorXd own = coordinatesOf(e, off);
+    sum += own.dot(e.hessian * own);
+  }
+  return 0.5 * anchorWeight_ * sum / scale_;
 }
 
-ShapeDescent::Model ShapeDescent::modelAt(const solver::Points& points) const {
-  const Index n = 3 * layout_.pointCount;
-  MatrixXd hessian = MatrixXd::Zero(n, n);
-  VectorXd gradient = VectorXd::Zero(n);
-  for (const assembly::ShapeElement& e : assembly::assembleShapeEnergy(
-           layout_, makePatches(layout_, points), energy_, quadrature_, pinning_)) {
-    for (std::size_t b = 0; b < e.points.size(); ++b) {
-      const auto column = static_cast<Index>(3 * b), to = static_cast<Index>(3 * e.points[b]);
-      gradient.segment<3>(to) += scale_ * e.gradient.segment<3>(column);
-      for (std::size_t a = 0; a < e.points.size(); ++a)
-        hessian.block<3, 3>(3 * e.points[a], to) +=
-            scale_ * e.hessian.block<3, 3>(static_cast<Index>(3 * a), column);
+ShapeDescent::Model ShapeDescent::modelOf(std::vector<assembly::ShapeElement> elements,
+                                          const solver::Points& points) const {
+  const solver::Points off = points - start_;
+  VectorXd gradient = VectorXd::Zero(3 * layout_.pointCount);
+  std::vector<MatrixXd> hessians;
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    assembly::ShapeElement& e = elements[k];
+    e.gradient *= scale_;
+    e.hessian *= scale_;
+    if (!anchor_.empty()) {
+      e.gradient += anchorWeight_ * (anchor_[k].hessian * coordinatesOf(e, off));
+      e.hessian += anchorWeight_ * anchor_[k].hessian;
     }
+    for (std::size_t b = 0; b < e.points.size(); ++b)
+      gradient.segment<3>(3 * e.points[b]) += e.gradient.segment<3>(static_cast<Index>(3 * b));
+    hessians.push_back(std::move(e.hessian));
   }
-  if (anchor_.size() > 0) {
-    hessian += anchor_;
-    gradient += anchor_ * (solver::flat(points) - solver::flat(start_));
-  }
-  const MatrixXd reached = hessian * freedom_;
-  return {freedom_.transpose() * reached, freedom_.transpose() * gradient};
+  return {free_.sum(hessians), freedom_.transpose() * gradient};
+}
+
+// The step that a matrix makes of a gradient, if it lets the sum fall and folds nothing.
+std::optional<ShapeDescent::Trial> ShapeDescent::tried(const solver::Sparse& matrix,
+                                                       const Model& model,
+                                                       const Place& from) {
+  if (!factor_.factorize(matrix)) return std::nullopt;
+  const VectorXd free = factor_.solve(-model.gradient), moved = freedom_ * free;
+  Trial trial;
+  trial.points = from.points + Eigen::Map<const solver::Points>(moved.data(), moved.size() / 3, 3);
+  trial.step = {.fell = true,
+                .before = from.sum,
+                .energy = energyAt(trial.points),
+                .anchor = anchorAt(trial.points)};
+  const double fall = from.sum - (trial.step.energy + trial.step.anchor);
+  if (!(fall > 0.0) || folds(from.patches, makePatches(layout_, trial.points))) return std::nullopt;
+  trial.step.length = std::sqrt(3.0 * moved.squaredNorm() / static_cast<double>(moved.size()));
+  trial.asExpected =
+      -fall * scale_ / (model.gradient.dot(free) + 0.5 * free.dot(model.hessian * free));
+  return trial;
 }
 
 ShapeStep ShapeDescent::step(solver::Points& points) {
-  const Model model = modelAt(points);
-  const Patches patches = makePatches(layout_, points);
+  if (isSlow_) {
+    if (const auto taken = newtonStep(points)) return *taken;
+    newtonBelow_ *= kPatience;
+  }
   ShapeStep stay{.energy = energyAt(points), .anchor = anchorAt(points)};
   stay.before = stay.energy + stay.anchor;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    MatrixXd matrix = model.hessian;
-    if (damping_ > 0.0) matrix += damping_ / (size_ * size_) * displacement();
-    const Eigen::LLT<MatrixXd> factors(matrix);
-    if (factors.info() == Eigen::Success) {
-      const VectorXd free = factors.solve(-model.gradient);
-      const VectorXd moved = freedom_ * free;
-      const solver::Points next =
-          points + Eigen::Map<const solver::Points>(moved.data(), points.rows(), 3);
-      ShapeStep taken{
-          .fell = true, .before = stay.before, .energy = energyAt(next), .anchor = anchorAt(next)};
-      const double fall = stay.before - (taken.energy + taken.anchor);
-      if (fall > 0.0 && !folds(patches, makePatches(layout_, next))) {
-        points = next;
-        taken.length = std::sqrt(moved.squaredNorm() / static_cast<double>(points.rows()));
-        const double expected =
-            -(model.gradient.dot(free) + 0.5 * free.dot(model.hessian * free)) / scale_;
-        if (anchor_.size() == 0 || fall > kGoodModel * expected)
-          damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
-        return taken;
-      }
+  const Place from{points, makePatches(layout_, points), stay.before};
+  const Model model = modelOf(
+      assembly::assembleShapeEnergy(layout_, from.patches, energy_, quadrature_, pinning_), points);
+  isSlow_ = false;
+  for (int k = 0; k < kTrials; ++k) {
+    const auto trial =
+        tried(model.hessian + damping_ / (size_ * size_) * displacement_, model, from);
+    if (trial) {
+      const double fall = stay.before - (trial->step.energy + trial->step.anchor);
+      isSlow_ = !anchor_.empty() && damping_ == 0.0 && fall < newtonBelow_ * stay.before;
+      if (anchor_.empty() || trial->asExpected > kGoodModel)
+        damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
+      points = trial->points;
+      return trial->step;
     }
     damping_ = damping_ == 0.0 ? kFirstDamping : kDampingFactor * damping_;
   }
   return stay;
 }
 
-// The integral of |d|^2 in the free directions, made where a step is rejected.
-const solver::Sparse& ShapeDescent::displacement() {
-  if (displacement_) return *displacement_;
-  const solver::Sparse mass =
-      solver::threefold(assembly::assembleEnergy(layout_, {{1.0, {0, 0}, {0, 0}}}));
-  displacement_ = freedom_.transpose() * solver::Sparse(mass * freedom_);
-  return *displacement_;
+std::optional<ShapeStep> ShapeDescent::newtonStep(solver::Points& points) {
+  const Place from{points, makePatches(layout_, points), energyAt(points) + anchorAt(points)};
+  const Model model =
+      modelOf(assembly::expandShapeEnergy(layout_, from.patches, energy_, quadrature_), points);
+  auto trial = tried(model.hessian + 0.0 * displacement_, model, from);
+  if (!trial) return std::nullopt;
+  points = std::move(trial->points);
+  return trial->step;
 }
 
 }  // namespace fairing

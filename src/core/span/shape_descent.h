@@ -2,8 +2,11 @@
 #pragma once
 #include <optional>
 
+#include "core/assembly/assemble_shape_energy.h"
 #include "core/layout/patch_layout.h"
 #include "core/shape_energy/shape_energy.h"
+#include "core/solver/free_matrix.h"
+#include "core/solver/pattern_factor.h"
 #include "core/solver/quadratic_program.h"
 
 namespace fairing {
@@ -24,8 +27,8 @@ struct ShapeStep {
   double length = 0.0;  ///< root of the mean square of the displacements of points, mm
 };
 
-/// Damped Gauss-Newton steps on an energy of the shape. Every step keeps the constraints of a
-/// program exactly, lets the energy and what the anchor adds to it fall, and folds no patch.
+/// Damped Gauss-Newton and Newton steps on an energy of the shape. Every step keeps the constraints
+/// of a program exactly, lets the energy and what the anchor adds to it fall, and folds no patch.
 class ShapeDescent {
  public:
   /// `start`: points that the anchor holds; `size`: the hole's, mm; `quadrature`: points a span and
@@ -43,25 +46,39 @@ class ShapeDescent {
   [[nodiscard]] double energyAt(const solver::Points& points) const;
   /// What the anchor adds, in the energy's unit.
   [[nodiscard]] double anchorAt(const solver::Points& points) const;
-  /// Takes a step from points that meet the constraints, unless none lets the sum fall.
+  /// Takes a step from points that meet the constraints, unless none lets the sum fall:
+  /// newtonStep() where Gauss-Newton's have become slow and there is one.
   [[nodiscard]] ShapeStep step(solver::Points& points);
+  /// Takes a step with all second derivatives, undamped, if these are positive definite and it lets
+  /// the sum fall. Near a minimum the distance to it is squared, whether residuals vanish or not.
+  [[nodiscard]] std::optional<ShapeStep> newtonStep(solver::Points& points);
 
  private:
   struct Model;
+  struct Place;
+  struct Trial;
 
-  [[nodiscard]] Model modelAt(const solver::Points& points) const;
-  [[nodiscard]] const solver::Sparse& displacement();
+  [[nodiscard]] Model modelOf(std::vector<assembly::ShapeElement> elements,
+                              const solver::Points& points) const;
+  [[nodiscard]] std::optional<Trial> tried(const solver::Sparse& matrix,
+                                           const Model& model,
+                                           const Place& from);
 
   const layout::PatchLayout& layout_;
   const shape_energy::ShapeEnergy& energy_;
   solver::Sparse freedom_;
-  std::optional<solver::Sparse> displacement_;
+  solver::FreeMatrix free_;
+  solver::Sparse displacement_;  // the integral of |d|^2 in the free directions
+  solver::PatternFactor factor_;
   double size_, scale_;
   int quadrature_;
   double pinning_;
   solver::Points start_;
-  solver::Sparse anchor_;  // 3n x 3n, or empty
+  std::vector<assembly::ShapeElement> anchor_;  // without its weight, or empty
+  double anchorWeight_;
   double damping_ = 0.0;
+  double newtonBelow_;
+  bool isSlow_ = false;
 };
 
 }  // namespace fairing

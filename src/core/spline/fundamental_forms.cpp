@@ -23,6 +23,12 @@ struct Named {
         k(u.cross(v)),
         ku(uu.cross(v) + u.cross(uv)),
         kv(uv.cross(v) + u.cross(vv)) {}
+  // The change of another one along a jet.
+  Named(const Named& r, const ThirdOrderJet& along) : Named(along) {
+    k = u.cross(r.v) + r.u.cross(v);
+    ku = uu.cross(r.v) + r.uu.cross(v) + u.cross(r.uv) + r.u.cross(uv);
+    kv = uv.cross(r.v) + r.uv.cross(v) + u.cross(r.vv) + r.u.cross(vv);
+  }
 
   Vector3d u, v, uu, uv, vv, uuu, uuv, uvv, vvv, k, ku, kv;
 };
@@ -43,6 +49,26 @@ ThirdOrderJet pullBackDirect(const Named& r, const FundamentalForms& s) {
   d.col(7) = (s.m.v + s.n.u) * r.k;
   d.col(8) = s.n.v * r.k;
   return d;
+}
+
+// Slopes with respect to k, k_u, k_v.
+struct NormalSlopes {
+  NormalSlopes(const Named& r, const FundamentalForms& s)
+      : k(s.l.value * r.uu + s.m.value * r.uv + s.n.value * r.vv + s.l.u * r.uuu +
+          (s.l.v + s.m.u) * r.uuv + (s.m.v + s.n.u) * r.uvv + s.n.v * r.vvv),
+        ku(s.l.u * r.uu + s.m.u * r.uv + s.n.u * r.vv),
+        kv(s.l.v * r.uu + s.m.v * r.uv + s.n.v * r.vv) {}
+
+  Vector3d k, ku, kv;
+};
+
+// The part that goes through the cross products: a . (dx x b) = dx . (b x a).
+void addThroughNormal(const Named& r, const NormalSlopes& s, ThirdOrderJet& d) {
+  d.col(0) += r.v.cross(s.k) + r.uv.cross(s.ku) + r.vv.cross(s.kv);
+  d.col(1) += s.k.cross(r.u) + s.ku.cross(r.uu) + s.kv.cross(r.uv);
+  d.col(2) += r.v.cross(s.ku);
+  d.col(3) += s.ku.cross(r.u) + r.v.cross(s.kv);
+  d.col(4) += s.kv.cross(r.u);
 }
 
 }  // namespace
@@ -66,20 +92,21 @@ FundamentalForms fundamentalForms(const ThirdOrderJet& jet) {
   };
 }
 
-ThirdOrderJet pullBack(const ThirdOrderJet& jet, const FundamentalForms& s) {
+ThirdOrderJet pullBack(const ThirdOrderJet& jet, const FundamentalForms& slopes) {
   const Named r(jet);
-  ThirdOrderJet d = pullBackDirect(r, s);
-  // Slopes with respect to k, k_u, k_v, then through the cross products: a . (dx x b) = dx . (b x
-  // a).
-  const Vector3d k = s.l.value * r.uu + s.m.value * r.uv + s.n.value * r.vv + s.l.u * r.uuu +
-                     (s.l.v + s.m.u) * r.uuv + (s.m.v + s.n.u) * r.uvv + s.n.v * r.vvv;
-  const Vector3d ku = s.l.u * r.uu + s.m.u * r.uv + s.n.u * r.vv;
-  const Vector3d kv = s.l.v * r.uu + s.m.v * r.uv + s.n.v * r.vv;
-  d.col(0) += r.v.cross(k) + r.uv.cross(ku) + r.vv.cross(kv);
-  d.col(1) += k.cross(r.u) + ku.cross(r.uu) + kv.cross(r.uv);
-  d.col(2) += r.v.cross(ku);
-  d.col(3) += ku.cross(r.u) + r.v.cross(kv);
-  d.col(4) += kv.cross(r.u);
+  ThirdOrderJet d = pullBackDirect(r, slopes);
+  addThroughNormal(r, NormalSlopes(r, slopes), d);
+  return d;
+}
+
+// pullBackDirect() and NormalSlopes are linear in what is named, addThroughNormal() in both.
+ThirdOrderJet pullBackChange(const ThirdOrderJet& jet,
+                             const ThirdOrderJet& along,
+                             const FundamentalForms& slopes) {
+  const Named r(jet), change(r, along);
+  ThirdOrderJet d = pullBackDirect(change, slopes);
+  addThroughNormal(change, NormalSlopes(r, slopes), d);
+  addThroughNormal(r, NormalSlopes(change, slopes), d);
   return d;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/analysis/measure_fairness.h"
 #include "core/shape_energy/mean_curvature_gradient.h"
+#include "core/shape_energy/minimum_variation.h"
 #include "core/spline/quadrature.h"
 #include "support/known_surface.h"
 #include "support/matchers.h"
@@ -53,12 +54,10 @@ struct Total {
   MatrixXd hessian;
 };
 
-Total totalOf(const layout::PatchLayout& layout,
-              const std::vector<BsplineSurface>& patches,
-              int points = 0) {
+Total totalOf(const layout::PatchLayout& layout, const std::vector<ShapeElement>& elements) {
   const Eigen::Index size = 3 * layout.pointCount;
   Total total{0.0, VectorXd::Zero(size), MatrixXd::Zero(size, size)};
-  for (const ShapeElement& e : assembleShapeEnergy(layout, patches, kEnergy, points)) {
+  for (const ShapeElement& e : elements) {
     total.value += e.value;
     for (std::size_t a = 0; a < e.points.size(); ++a) {
       const auto row = 3 * static_cast<Eigen::Index>(a);
@@ -69,6 +68,12 @@ Total totalOf(const layout::PatchLayout& layout,
     }
   }
   return total;
+}
+
+Total totalOf(const layout::PatchLayout& layout,
+              const std::vector<BsplineSurface>& patches,
+              int points = 0) {
+  return totalOf(layout, assembleShapeEnergy(layout, patches, kEnergy, points));
 }
 
 Total totalOf(const BsplineSurface& patch, int points = 0) {
@@ -143,6 +148,60 @@ TEST(AssembleShapeEnergy, HessianIsTwiceTheSquareOfTheResidualsSlopes) {
   }
   const MatrixXd expected = 2.0 * jacobian.transpose() * jacobian;
   EXPECT_THAT(total.hessian, IsNear(expected, 1e-6 * expected.cwiseAbs().maxCoeff()));
+}
+
+Total expansionOf(const BsplineSurface& patch, const shape_energy::ShapeEnergy& energy) {
+  const layout::PatchLayout layout = freePatch(patch.u, patch.v);
+  return totalOf(layout, expandShapeEnergy(layout, {patch}, energy));
+}
+
+TEST(AssembleShapeEnergy, ExpansionIsThatOfDifferences) {
+  const BsplineSurface patch = bumpyPatch();
+  const shape_energy::MinimumVariation variation(1.0);
+  for (const shape_energy::ShapeEnergy* energy :
+       {static_cast<const shape_energy::ShapeEnergy*>(&kEnergy),
+        static_cast<const shape_energy::ShapeEnergy*>(&variation)}) {
+    const Total total = expansionOf(patch, *energy);
+    EXPECT_NEAR(total.value / shapeEnergyOf({patch}, *energy), 1.0, 1e-12);
+    Random random{3};
+    for (int times = 0; times < 3; ++times) {
+      const VectorXd along = randomMatrix(random, total.gradient.size(), 1);
+      const VectorXd expected = derivative(
+          [&](double x) { return expansionOf(displaced(patch, x * along), *energy).gradient; },
+          0.0,
+          1e-5);
+      EXPECT_THAT(VectorXd(total.hessian * along),
+                  IsNear(expected, 1e-6 * expected.cwiseAbs().maxCoeff()));
+    }
+    EXPECT_EQ(total.hessian, total.hessian.transpose());
+  }
+}
+
+TEST(AssembleShapeEnergy, ExpansionHasTheGradientOfTheModel) {
+  const BsplineSurface patch = bumpyPatch();
+  const Total total = totalOf(patch), expansion = expansionOf(patch, kEnergy);
+  EXPECT_THAT(expansion.gradient,
+              IsNear(total.gradient, 1e-11 * total.gradient.cwiseAbs().maxCoeff()));
+}
+
+// Spans are worked on side by side; who takes which must not matter.
+TEST(AssembleShapeEnergy, IsTheSameEveryTime) {
+  const BsplineSurface patch = bumpyPatch();
+  const Total total = totalOf(patch);
+  const double energy = energyOf(patch);
+  for (int times = 0; times < 20; ++times) {
+    EXPECT_EQ(totalOf(patch).hessian, total.hessian);
+    EXPECT_EQ(energyOf(patch), energy);
+  }
+}
+
+TEST(AssembleShapeEnergy, NamesThePointsOfEverySpan) {
+  const BsplineSurface patch = bumpyPatch();
+  const layout::PatchLayout layout = freePatch(patch.u, patch.v);
+  const auto points = spanPoints(layout);
+  const auto elements = assembleShapeEnergy(layout, {patch}, kEnergy);
+  ASSERT_EQ(points.size(), elements.size());
+  for (std::size_t k = 0; k < points.size(); ++k) EXPECT_EQ(points[k], elements[k].points);
 }
 
 TEST(AssembleShapeEnergy, RigidMotionsChangeNothing) {

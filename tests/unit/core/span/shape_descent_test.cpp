@@ -10,6 +10,7 @@
 #include "core/layout/layouts.h"
 #include "core/shape_energy/mean_curvature_gradient.h"
 #include "core/shape_energy/minimum_variation.h"
+#include "core/shape_energy/total_curvature.h"
 #include "core/solver/solve.h"
 #include "core/span/span_hole.h"
 #include "support/many_sided_loops.h"
@@ -123,6 +124,49 @@ TEST_F(ShapeDescentOnASphere, TheAnchorHoldsOnlyWhatRunsAlongTheSurface) {
   const solver::Points sideways =
       plate * Eigen::Matrix3d(Eigen::AngleAxisd(0.01, Eigen::Vector3d(1, 2, 3).normalized()));
   EXPECT_LT(descent.anchorAt(outwards), 1e-3 * descent.anchorAt(sideways));
+}
+
+// A hole with four sides in waves, where no energy is nought: what is left of the distance to the
+// minimum after a step is its square with all second derivatives, a share without them.
+template <class Energy>
+double leftAfterAStep(const Energy& energy, double anchor, double noise) {
+  const auto loop = finished(polygonOn(waves(), 4));
+  const auto plan = layout::planLayout(loop, LayoutKind::Auto).value();
+  const auto layout = layout::coarseLayout(
+      plan, layout::makeLayout(plan, {.fitTolerance = 1e-5}), {2.0, 1e-5 * loop.diagonal, 24});
+  const auto program = makeProgram(plan, layout, EnergyKind::ThinPlate).value();
+  const solver::Points plate = solver::solve(program).value().points;
+  ShapeDescent descent(layout, energy, program, plate, loop.diagonal, {0.0, anchor}, 7);
+  solver::Points home = plate;
+  for (int k = 0; k < 25; ++k) (void)descent.step(home);
+  while (descent.newtonStep(home)) {
+  }
+  const double least = descent.energyAt(home) + descent.anchorAt(home);
+  EXPECT_GT(least, 1e-3 * (descent.energyAt(plate) + descent.anchorAt(plate)));
+  const solver::Sparse freedom = solver::freedomOf(program);
+  Random random{0};
+  const Eigen::VectorXd free = randomMatrix(random, freedom.cols(), 1);
+  const Eigen::VectorXd moved = freedom * free;
+  solver::Points points = home + noise * loop.diagonal / moved.norm() *
+                                     Eigen::Map<const solver::Points>(moved.data(), home.rows(), 3);
+  const double before = descent.energyAt(points) + descent.anchorAt(points) - least;
+  EXPECT_TRUE(descent.newtonStep(points));
+  return (descent.energyAt(points) + descent.anchorAt(points) - least) / before;
+}
+
+template <class Energy>
+void expectSquares(const Energy& energy, double anchor, double noise) {
+  const double far = leftAfterAStep(energy, anchor, noise);
+  const double near = leftAfterAStep(energy, anchor, 0.25 * noise);
+  // Both are shares of squared distances: a sixteenth in the limit, 1 if it were linear.
+  EXPECT_LT(far, 0.1);
+  EXPECT_LT(near, 0.15 * far);
+}
+
+TEST(ShapeDescentOnWaves, NewtonConvergesQuadraticallyWhereResidualsDoNotVanish) {
+  expectSquares(shape_energy::MeanCurvatureGradient(), 1e4, 1e-3);
+  expectSquares(shape_energy::MinimumVariation(1e-4), 1e4, 1e-3);
+  expectSquares(shape_energy::TotalCurvature(), 1e6, 1e-3);
 }
 
 }  // namespace

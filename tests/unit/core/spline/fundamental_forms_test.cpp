@@ -86,5 +86,24 @@ TEST(FundamentalForms, PullBackIsTheGradientWithRespectToTheJet) {
   }
 }
 
+TEST(FundamentalForms, ChangeOfThePullBackIsThatOfDifferences) {
+  Random random{2};
+  for (int times = 0; times < 20; ++times) {
+    const ThirdOrderJet jet = randomJet(random), along = randomMatrix(random, 3, 9);
+    const Values s = randomMatrix(random, 18, 1);
+    const FundamentalForms slopes{{s[0], s[1], s[2]},
+                                  {s[3], s[4], s[5]},
+                                  {s[6], s[7], s[8]},
+                                  {s[9], s[10], s[11]},
+                                  {s[12], s[13], s[14]},
+                                  {s[15], s[16], s[17]}};
+    // The forms are of third order in the jet: differences are exact but for rounding.
+    const ThirdOrderJet expected =
+        0.5 * (pullBack(jet + along, slopes) - pullBack(jet - along, slopes));
+    EXPECT_THAT(pullBackChange(jet, along, slopes),
+                IsNear(expected, 1e-13 * expected.cwiseAbs().maxCoeff()));
+  }
+}
+
 }  // namespace
 }  // namespace fairing::spline
