@@ -20,16 +20,16 @@
 Lengths are in mm, angles in degrees. What cannot be done raises fairing.FairingError, whose text is one sentence.
 """
 
-from .api import blend, compare, curvature_picture, edit, fill, fill_all, holes, report, show_curvature
+from .api import blend, compare, compare_blend, curvature_picture, edit, fill, fill_all, holes, report, show_curvature
 from .features.blend_feature import change_blend, make_blend
 from .features.edit_feature import change_edit, make_edit
 from .features.fill_all_feature import change_fill_all, make_fill_all
 from .features.fill_feature import change_fill, make_fill
 from .native import NativeModuleError
 
-__all__ = ["FairingError", "NativeModuleError", "blend", "change_blend", "change_edit", "change_fill", "change_fill_all", "compare",
-           "curvature_picture", "edit", "fill", "fill_all", "holes", "make_blend", "make_edit", "make_fill", "make_fill_all", "report",
-           "show_curvature"]
+__all__ = ["FairingError", "NativeModuleError", "blend", "change_blend", "change_edit", "change_fill", "change_fill_all",
+           "compare", "compare_blend", "curvature_picture", "edit", "fill", "fill_all", "holes", "make_blend",
+           "make_edit", "make_fill", "make_fill_all", "report", "show_curvature"]
 
 
 def __getattr__(name):

@@ -47,23 +47,27 @@ def fill(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, faces: It
 
 def compare(shape: Part.Shape, edges: Iterable[subelements.Pick] = (), *, energies: Iterable[str] = ENERGIES,
             faces: Iterable[subelements.Pick] = (), **options) -> list[dict]:
-    """Fills one hole with one energy after the other. Returns a report each, with its "energy"; report["fairness"] has the
-    values of all energies on it. One that fails leaves the others alone: its report is {"energy": ..., "error": sentence}.
+    """Fills one hole with one energy after the other. Returns a report each, with its "energy"; report["fairness"] has
+    the values of all energies on it.
 
     energies  which, and in which order; all by default
     edges, faces, options  those of fill()
-    Raises FairingError where none succeeds.
+    One that fails leaves the others alone: its report is {"energy": ..., "error": sentence}. Raises FairingError where
+    none succeeds.
     """
-    request, brep = _fill_request(edges, faces=faces, **options), exchange.data_of(shape)
-    solved = list(solve_each(request, brep, energies))
-    if solved and not any(item.fill for item in solved):
-        raise solved[0].error
-    return [item.report() for item in solved]
+    return _compared(_fill_request(edges, faces=faces, **options), shape, energies)
+
+
+def compare_blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: Iterable[subelements.Pick], *,
+                  energies: Iterable[str] = ENERGIES, **options) -> list[dict]:
+    """The same of a blend; from_edges, to_edges and options are those of blend()."""
+    return _compared(_blend_request(from_edges, to_edges, **options), shape, energies)
 
 
 def curvature_picture(shape: Part.Shape, quantity: str = "mean", *, faces: Iterable[subelements.Pick] = (),
                       divisions: int = 64) -> tuple:
-    """Faces as triangles with their curvature at every vertex, exact there: points (n x 3), triangles (m x 3), values (n).
+    """Faces as triangles with their curvature at every vertex, exact there: points (n x 3), triangles (m x 3) and
+    values (n).
 
     quantity   "mean" (H, 1/mm), "gauss" (K, 1/mm^2), "k1", "k2" (the principal curvatures, k1 >= k2, 1/mm) or
                "mean-gradient" (|grad H|, 1/mm^2); positive where a face bends towards its normal
@@ -141,10 +145,9 @@ def blend(shape: Part.Shape, from_edges: Iterable[subelements.Pick], to_edges: I
                      blend_request.BlendRequest
     Raises FairingError with one sentence where that cannot be done.
     """
-    request = BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, ends=ends, end_faces=end_faces, ring=ring,
-                              cuts=cuts, continuity=continuity,
-                              reference=exchange.data_of(reference) if reference else None, guide=guide_text(guide),
-                              **options)
+    request = _blend_request(from_edges, to_edges, continuity=continuity, edge_continuity=edge_continuity, pairs=pairs,
+                             ends=ends, end_faces=end_faces, ring=ring, cuts=cuts, reference=reference, guide=guide,
+                             **options)
     done = request.solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
 
@@ -190,6 +193,20 @@ def report(shape: Part.Shape, patches: Part.Shape, edges: Iterable[subelements.P
         native.module().Shape(exchange.data_of(patches)), edges=list(request.edges), faces=list(request.faces),
         continuity=continuity, edge_continuity=dict(request.edge_continuity), tolerance=gap_tolerance,
         angle=angle_tolerance)
+
+
+def _blend_request(from_edges, to_edges, *, edge_continuity=None, pairs=(), reference=None, guide=(),
+                   **options) -> BlendRequest:
+    return BlendRequest.of(from_edges, to_edges, edge_continuity, pairs,
+                           reference=exchange.data_of(reference) if reference else None, guide=guide_text(guide),
+                           **options)
+
+
+def _compared(request, shape: Part.Shape, energies: Iterable[str]) -> list[dict]:
+    solved = list(solve_each(request, exchange.data_of(shape), energies))
+    if solved and not any(item.fill for item in solved):
+        raise solved[0].error
+    return [item.report() for item in solved]
 
 
 def _fill_request(edges, *, faces=(), edge_continuity=None, reference=None, guide=(), through=(),

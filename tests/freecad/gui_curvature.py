@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of curvature in the real window: of any faces by the command, of a surface and its neighbours in the panels."""
+"""Pictures of curvature in the real window: of any faces by the command, of a surface and its neighbours in the
+panels."""
 
 import FreeCAD as App
 import FreeCADGui as Gui

@@ -74,6 +74,19 @@ def test_only_the_energies_asked_for_and_an_unknown_one_is_told(sphere):
         fairing.compare(sphere, [999])
 
 
+def test_a_blend_is_compared_in_the_same_way():
+    pipes = Part.makeCompound([Part.makeCircle(10, App.Vector(0, 0, z)).extrude(App.Vector(0, 0, 20)) for z in (0, 45)])
+    rims = [next(k for k, edge in enumerate(pipes.Edges, 1) if edge.CenterOfMass.isEqual(App.Vector(0, 0, z), 1e-6))
+            for z in (20, 45)]
+    energies = ("thin-plate", "minimum-variation")
+    reports = fairing.compare_blend(pipes, rims[:1], rims[1:], energies=energies)
+    told = {report["energy"]: report["fairness"] for report in reports}
+    assert tuple(told) == energies
+    best = told["minimum-variation"]  # the cylinder itself: H = 1 / (2 r) all over
+    assert best["minimum_variation"] < told["thin-plate"]["minimum_variation"]
+    assert best["total_curvature"] == pytest.approx(best["area"] / 10.0 ** 2, rel=1e-3)
+
+
 def test_the_command_line_prints_the_same(sphere, reports, tmp_path):
     path, json_path = tmp_path / "sphere.brep", tmp_path / "report.json"
     sphere.exportBrep(str(path))

@@ -28,7 +28,8 @@ class ComparedPanel(GuidedPanel):
             return
         combo = self._choices_ui.energyCombo
         names = [combo.itemText(position) for position in range(combo.count())]
-        self._comparison = CompareDialog(*self._session.asked(), names, self._show_compared, self._use, self._end_comparison)
+        self._comparison = CompareDialog(*self._session.asked(), names, self._show_compared, self._use,
+                                         self._end_comparison)
 
     def _drop_comparison(self) -> None:
         """What it compares is asked no longer."""

@@ -18,8 +18,8 @@ from .scene_vectors import set_indices, set_vectors
 # the depth of the scene.
 DEPTH_RANGE = (0.0, 0.997)
 
-# Coin's words for how a texture is looked up: between neighbouring texels, or on smaller copies of it as well. Those of a
-# scale would mix its colours with that of what is unknown.
+# Coin's words for how a texture is looked up: between neighbouring texels, or on smaller copies of it as well. Those
+# of a scale would mix its colours with that of what is unknown.
 INTERPOLATED, AVERAGED = 0.3, 0.9
 
 

@@ -21,6 +21,7 @@ class PicturedPanel(SolvingPanel):
     _has_folded = False
     _drawn = None  # the native result that is to be seen
     _beside: tuple = (None, ())  # what the pictures of the neighbours were made of, and they
+    _knows_beside = False  # whether they are those of what is asked now
 
     def _set_up(self) -> None:
         super()._set_up()
@@ -49,6 +50,10 @@ class PicturedPanel(SolvingPanel):
             self._has_folded = True
             task_boxes.fold(self.form[-1])
 
+    def _start_anew(self) -> None:
+        super()._start_anew()
+        self._knows_beside = False
+
     def _draw_picture(self, native) -> None:
         """The curvature of a native result, None: there is none."""
         self._drawn = native
@@ -73,12 +78,13 @@ class PicturedPanel(SolvingPanel):
 
     def _pictures_beside(self, native) -> tuple:
         """Of the faces it meets: they stay while it is guided."""
-        brep, faces = self._session.neighbours(native.report)
-        known, pictures = self._beside
-        if known != (brep, faces):
-            pictures = (exchange.native_shape_of(brep).curvature_picture(faces),) if faces else ()
-            self._beside = (brep, faces), pictures
-        return pictures
+        if not self._knows_beside:
+            brep, faces = self._session.neighbours(native.report)
+            if self._beside[0] != (brep, faces):
+                pictures = (exchange.native_shape_of(brep).curvature_picture(faces),) if faces else ()
+                self._beside = (brep, faces), pictures
+            self._knows_beside = True
+        return self._beside[1]
 
     def _detach(self) -> None:
         if not self._is_closed:
