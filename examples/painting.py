@@ -65,8 +65,11 @@ def seen(point, turn: float, tilt: float):
     return x, c * z + s * y, s * z - c * y
 
 
+BLUE, GREY, RED = (20, 60, 200), (222, 222, 222), (205, 30, 30)
+
+
 def heat(share: float):
-    """Blue, white, red for -1, 0, 1 and what lies between; beyond as there."""
+    """Blue, grey, red for -1, 0, 1 and what lies between; beyond as there."""
     share = max(-1.0, min(1.0, share))
-    pale = round(255 * (1.0 - abs(share)))
-    return (255, pale, pale) if share > 0.0 else (pale, pale, 255)
+    end = RED if share > 0.0 else BLUE
+    return tuple(round(middle + abs(share) * (far - middle)) for middle, far in zip(GREY, end))

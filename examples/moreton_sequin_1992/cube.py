@@ -6,7 +6,7 @@
 By symmetry the minimum variation curves between the corners are arcs of great circles, and the surface is perpendicular
 to the planes they lie in: each of the six sides is a hole with these four edges. Prints a table of radii and curvatures,
 1 everywhere on the sphere, and writes moreton_sequin_figure_10.png into DIR: the Gaussian curvature on the surfaces in
-the table's order, white where it is the sphere's, red where it is half as much again, blue where it is half.
+the table's order, grey where it is the sphere's, red where it is half as much again, blue where it is half.
 """
 
 import math
@@ -64,8 +64,9 @@ def measured(surface) -> list:
 
 
 def turns() -> list:
-    """The rotations that take the upper side to those the picture shows: it, the one in front, the one to the right."""
-    return [App.Rotation(), App.Rotation(App.Vector(1, 0, 0), 90), App.Rotation(App.Vector(0, 1, 0), 90)]
+    """The rotations that take the upper side to all six."""
+    x, y = App.Vector(1, 0, 0), App.Vector(0, 1, 0)
+    return [App.Rotation(axis, angle) for axis, angle in ((x, 0), (x, 90), (x, 180), (x, 270), (y, 90), (y, 270))]
 
 
 def place(point, value, column: int):
@@ -95,4 +96,5 @@ def main() -> None:
                  lambda gauss: painting.heat((gauss - 1.0) / RANGE))
 
 
-main()
+if __name__ == "__main__":
+    main()
