@@ -71,6 +71,18 @@ std::vector<Meeting> meetings(const boundary::BoundaryLoop& loop,
   return result;
 }
 
+// Sides and seams ask for curvature in one block: they share points.
+std::optional<solver::ConstraintBlock> curvatureOf(const layout::PatchLayout& layout,
+                                                   const std::vector<Edges>& patches,
+                                                   const solver::Points& about) {
+  auto sides = curvatureRows(layout, patches, about);
+  auto seams = seamCurvatureRows(layout, about);
+  if (!sides || !seams) return sides ? sides : seams;
+  sides->rows.insert(sides->rows.end(), seams->rows.begin(), seams->rows.end());
+  sides->solvedFor.insert(sides->solvedFor.end(), seams->solvedFor.begin(), seams->solvedFor.end());
+  return sides;
+}
+
 }  // namespace
 
 Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
@@ -101,10 +113,7 @@ Result<ConstraintSet> constrainSides(const boundary::BoundaryLoop& loop,
       set.blocks.push_back(std::move(*rows));
     }
   if (about)
-    if (auto rows = curvatureRows(layout, patches, *about)) set.blocks.push_back(std::move(*rows));
-  if (about)
-    for (solver::ConstraintBlock& block : seamCurvatureRows(layout, *about))
-      set.blocks.push_back(std::move(block));
+    if (auto rows = curvatureOf(layout, patches, *about)) set.blocks.push_back(std::move(*rows));
   set.ties = layout.closed ? tieClosing(layout.patches.front()) : tieSeams(layout);
   return set;
 }

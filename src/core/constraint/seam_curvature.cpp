@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "core/constraint/across.h"
 #include "core/constraint/seam_rows.h"
@@ -89,30 +88,16 @@ class CurvedSeam {
                         rowInSecond(layout, seam, 1),
                         rowInSecond(layout, seam, 2)})) {}
 
-  /// The rows at the seam's ends inside, by their vertices.
-  void addEnds(const solver::Points& about,
-               std::map<int, solver::ConstraintBlock>& vertices) const {
-    for (const std::size_t end : {0U, 1U}) {
-      if (!seam_.inside[end]) continue;
-      solver::ConstraintBlock& block = vertices[seam_.vertices[end]];
-      block.rows.push_back(rowAt(double(end), about));
-      for (const SeamSide* side : {&first_, &second_}) {
-        const std::size_t last = side->rows[0].size() - 1;
-        block.solvedFor.push_back(side->rows[0][end == 0 ? 2 : last - 2]);
-        block.solvedFor.push_back(side->rows[2][end == 0 ? 0 : last]);
-      }
-    }
-  }
-
-  [[nodiscard]] solver::ConstraintBlock between(const solver::Points& about) const {
-    solver::ConstraintBlock block;
+  void addTo(solver::ConstraintBlock& block, const solver::Points& about) const {
     const int n = knots_.poleCount();
+    if (seam_.inside[0]) block.rows.push_back(rowAt(0.0, about));
+    if (seam_.inside[1]) block.rows.push_back(rowAt(1.0, about));
     const int start = seam_.inside[0] ? 1 : 2, end = seam_.inside[1] ? n - 1 : n - 2;
     for (int i = start; i < end; ++i) block.rows.push_back(rowAt(knots_.greville(i), about));
     for (int i = 0; i < n; ++i)
       for (const SeamSide* side : {&first_, &second_})
-        block.solvedFor.push_back(side->rows[2][std::size_t(i)]);
-    return block;
+        for (const std::vector<int>& row : {side->rows[0], side->rows[2]})
+          block.solvedFor.push_back(row[std::size_t(i)]);
   }
 
  private:
@@ -155,17 +140,14 @@ class CurvedSeam {
 
 }  // namespace
 
-std::vector<solver::ConstraintBlock> seamCurvatureRows(const PatchLayout& layout,
-                                                       const solver::Points& about) {
-  std::vector<CurvedSeam> seams;
+std::optional<solver::ConstraintBlock> seamCurvatureRows(const PatchLayout& layout,
+                                                         const solver::Points& about) {
+  solver::ConstraintBlock block;
   for (const Seam& seam : layout.seams)
-    if (!seam.crease && seam.continuity == Continuity::G2) seams.emplace_back(layout, seam);
-  std::map<int, solver::ConstraintBlock> vertices;
-  for (const CurvedSeam& seam : seams) seam.addEnds(about, vertices);
-  std::vector<solver::ConstraintBlock> blocks;
-  for (auto& [vertex, block] : vertices) blocks.push_back(std::move(block));
-  for (const CurvedSeam& seam : seams) blocks.push_back(seam.between(about));
-  return blocks;
+    if (!seam.crease && seam.continuity == Continuity::G2)
+      CurvedSeam(layout, seam).addTo(block, about);
+  if (block.rows.empty()) return std::nullopt;
+  return block;
 }
 
 }  // namespace fairing::constraint

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include <vector>
+#include <optional>
 
 #include "core/layout/patch_layout.h"
 #include "core/solver/quadratic_program.h"
@@ -12,9 +12,9 @@ namespace fairing::constraint {
 /// second fundamental form but for its entry across the seam; that one agrees where
 ///   n . (R2_ww - b^2 R1_vv - 2 a b R1_vt - a^2 R_tt) = 0,   D2 = b D1 + a R_t   (Seam::frame).
 /// At inner vertices, and at Greville abscissae between them; at a seam's end on the loop the sides
-/// see to it. A block per vertex, then one per seam. Newton's method: repeated about its own
-/// solution the rows become exact.
-[[nodiscard]] std::vector<solver::ConstraintBlock> seamCurvatureRows(
+/// see to it. One block for all seams. Newton's method: repeated about its own solution the rows
+/// become exact.
+[[nodiscard]] std::optional<solver::ConstraintBlock> seamCurvatureRows(
     const layout::PatchLayout& layout, const solver::Points& about);
 
 }  // namespace fairing::constraint

@@ -54,8 +54,7 @@ class CurvedSeams : public ::testing::TestWithParam<Hole> {
 };
 
 TEST_P(CurvedSeams, AreMetWithEqualCurvature) {
-  for (const EnergyKind energy :
-       {EnergyKind::ThinPlate, EnergyKind::MeanCurvatureGradient, EnergyKind::MinimumVariation}) {
+  for (const EnergyKind energy : {EnergyKind::ThinPlate, EnergyKind::MeanCurvatureGradient}) {
     const FillResult fill = filled(energy);
     ASSERT_GT(fill.patches.size(), 1U);
     EXPECT_TRUE(fill.report.withinTolerance);
@@ -96,27 +95,25 @@ TEST_P(CurvedSeams, AreLinearisedExactly) {
   Random random{0};
   solver::Points move(points.rows(), 3);
   for (Eigen::Index k = 0; k < move.rows(); ++k) move.row(k) = randomVector(random).transpose();
-  const auto valuesAt = [](const std::vector<solver::ConstraintBlock>& blocks,
-                           const solver::Points& at) {
-    std::vector<double> values;
-    for (const solver::ConstraintBlock& block : blocks)
-      for (const solver::LinearRow& row : block.rows) {
-        values.push_back(-row.right);
-        for (std::size_t k = 0; k < row.points.size(); ++k)
-          values.back() += row.weights[k].dot(at.row(row.points[k]));
-      }
-    return Eigen::VectorXd(
-        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  const auto valuesAt = [](const solver::ConstraintBlock& rows, const solver::Points& at) {
+    Eigen::VectorXd values(static_cast<Eigen::Index>(rows.rows.size()));
+    for (std::size_t r = 0; r < rows.rows.size(); ++r) {
+      const solver::LinearRow& row = rows.rows[r];
+      values[static_cast<Eigen::Index>(r)] = -row.right;
+      for (std::size_t k = 0; k < row.points.size(); ++k)
+        values[static_cast<Eigen::Index>(r)] += row.weights[k].dot(at.row(row.points[k]));
+    }
+    return values;
   };
   constexpr double kStep = 1e-6;
   const auto jumpAt = [&](double step) {
     const solver::Points moved = points + step * move;
-    return valuesAt(seamCurvatureRows(layout, moved), moved);
+    return valuesAt(*seamCurvatureRows(layout, moved), moved);
   };
   const auto rows = seamCurvatureRows(layout, points);
-  ASSERT_FALSE(rows.empty());
-  EXPECT_LT(valuesAt(rows, points).cwiseAbs().maxCoeff(), 1e-8);
-  const Eigen::VectorXd told = valuesAt(rows, move);
+  ASSERT_TRUE(rows.has_value());
+  EXPECT_LT(valuesAt(*rows, points).cwiseAbs().maxCoeff(), 1e-8);
+  const Eigen::VectorXd told = valuesAt(*rows, move);
   const Eigen::VectorXd found = (jumpAt(kStep) - jumpAt(-kStep)) / (2.0 * kStep);
   EXPECT_LT((told - found).cwiseAbs().maxCoeff(), 1e-4 * found.cwiseAbs().maxCoeff());
 }
