@@ -49,6 +49,7 @@ def point_at(view, point):
 
 
 gui.start()
+panels = gui.keep_panels()
 document = App.newDocument("Drilled")
 block = Part.makeBox(SIZE, SIZE, 30).cut(Part.makeCylinder(RADIUS, 40, App.Vector(30, 30, -5)))
 pipe = Part.makeCylinder(RADIUS, SIZE, App.Vector(90, 30, 0))
@@ -144,6 +145,31 @@ gui.picture("47_fill_gradient")
 gui.press("Ok")
 gui.wait_for(lambda: not gui.panel_is_open(), "OK")
 assert pictures() == 0 and document.Fill.isValid()
+App.closeDocument(document.Name)
+
+# In a container that is moved the picture lies where the surface does, and so do the places it tells.
+document, base, edges = support.example("Moved")
+container = document.addObject("App::Part", "Part")
+container.addObject(base)
+container.Placement = App.Placement(App.Vector(40, -25, 10), App.Rotation(App.Vector(0, 1, 1), 30))
+document.recompute()
+view = gui.look_at_all()
+gui.select(document, (base, edges[0]))
+Gui.runCommand("Fairing_FillHole")
+gui.wait_for_verdict("Meets all 4 edges")
+gui.widget("labelsCheck").setChecked(False)
+choose("gauss")
+inside = panels[-1]._drawn
+middle = App.Vector(*inside.mesh(2)[0][4].tolist())  # of a grid of 3 x 3 points
+text = point_at(view, container.Placement.multVec(middle))
+told = App.Vector(*map(float, text.splitlines()[0][1:].split(")")[0].split(",")))
+assert told.distanceToPoint(container.Placement.multVec(middle)) < 2.0, (text, middle)
+picture = inside.curvature_picture(2)
+expected = picture.values()[4, 1]
+assert abs(float(text.split("K\u00a0")[1].split(",")[0]) - expected) < 0.1 * abs(expected), (text, expected)
+choose("zebra")
+gui.picture("49_moved_zebra")
+gui.press("Cancel")
 App.closeDocument(document.Name)
 
 # Blend Faces and Edit Surface have the same switch.

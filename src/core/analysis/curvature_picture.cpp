@@ -184,7 +184,7 @@ void CurvaturePicture::mendSingular(std::size_t firstVertex, std::size_t firstTr
 }
 
 void CurvaturePicture::add(PictureSurface surface,
-                           ParameterMesh mesh,
+                           const ParameterMesh& mesh,
                            const PictureFineness& fineness) {
   const auto number = static_cast<int>(surfaces_.size());
   const std::size_t firstVertex = vertices_.size(), firstTriangle = triangles_.size();
@@ -297,7 +297,7 @@ CurvaturePicture curvaturePicture(const std::vector<spline::BsplineSurface>& pat
         mesh.triangles.push_back({a, b, c});
         mesh.triangles.push_back({a, c, d});
       }
-    picture.add(pictureSurface(patches[p], reversed[p], static_cast<int>(p) + 1), std::move(mesh));
+    picture.add(pictureSurface(patches[p], reversed[p], static_cast<int>(p) + 1), mesh);
   }
   return picture;
 }

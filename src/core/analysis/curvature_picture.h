@@ -65,7 +65,7 @@ class CurvaturePicture {
   /// Splits edges of the triangles in halves until they are as fine as asked; triangles that share
   /// an edge go on sharing it. Where the surface has no normal (a pole), its neighbourhood's is
   /// taken, and the curvature with it.
-  void add(PictureSurface surface, ParameterMesh mesh, const PictureFineness& fineness = {});
+  void add(PictureSurface surface, const ParameterMesh& mesh, const PictureFineness& fineness = {});
 
   [[nodiscard]] int triangleCount() const { return static_cast<int>(triangles_.size()); }
   [[nodiscard]] Mesh mesh() const;
