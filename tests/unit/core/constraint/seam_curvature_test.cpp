@@ -127,6 +127,17 @@ INSTANTIATE_TEST_SUITE_P(
                       Hole{"Circle", LayoutKind::OGrid, [] { return circleOn(waves(), 1.0); }}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
+TEST(SeamCurvature, GoesTogetherWithCurvedSides) {
+  FillOptions options;
+  options.inner = Continuity::G2;
+  const auto fill = fillHole(finished(asking(polygonOn(waves(), 3), Continuity::G2)), options);
+  ASSERT_TRUE(fill.has_value());
+  EXPECT_EQ(fill->layout, LayoutKind::Star);
+  EXPECT_TRUE(fill->report.withinTolerance);
+  EXPECT_LE(fill->report.largestCurvature, 0.01);
+  EXPECT_LE(fill->report.largestSeamJump, 0.01);
+}
+
 TEST(SeamCurvature, IsNotAskedUnlessWished) {
   const auto fill = fillHole(finished(polygonOn(waves(), 5)), {});
   ASSERT_TRUE(fill.has_value());
