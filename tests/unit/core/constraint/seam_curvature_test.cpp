@@ -24,10 +24,9 @@ struct Hole {
 
 class CurvedSeams : public ::testing::TestWithParam<Hole> {
  protected:
-  static FillResult filled(EnergyKind energy) {
+  static FillResult filled() {
     FillOptions options;
     options.layout = GetParam().kind;
-    options.energy = energy;
     options.inner = Continuity::G2;
     auto fill = fillHole(finished(GetParam().sides()), options);
     EXPECT_TRUE(fill.has_value());
@@ -54,20 +53,18 @@ class CurvedSeams : public ::testing::TestWithParam<Hole> {
 };
 
 TEST_P(CurvedSeams, AreMetWithEqualCurvature) {
-  for (const EnergyKind energy : {EnergyKind::ThinPlate, EnergyKind::MeanCurvatureGradient}) {
-    const FillResult fill = filled(energy);
-    ASSERT_GT(fill.patches.size(), 1U);
-    EXPECT_TRUE(fill.report.withinTolerance);
-    EXPECT_LE(fill.report.largestSeamJump, 0.01);
-    EXPECT_LE(fill.report.largestSeamAngle, 0.02);
-    for (const auto& seam : fill.report.seams) EXPECT_GT(seam.jump.count, 0);
-  }
+  const FillResult fill = filled();
+  ASSERT_GT(fill.patches.size(), 1U);
+  EXPECT_TRUE(fill.report.withinTolerance);
+  EXPECT_LE(fill.report.largestSeamJump, 0.01);
+  EXPECT_LE(fill.report.largestSeamAngle, 0.02);
+  for (const auto& seam : fill.report.seams) EXPECT_GT(seam.jump.count, 0);
 }
 
 // All patches that meet in an inner vertex have one second fundamental form there: three
 // directions tell it.
 TEST_P(CurvedSeams, MeetInVerticesOfOneSecondForm) {
-  const FillResult fill = filled(EnergyKind::MeanCurvatureGradient);
+  const FillResult fill = filled();
   int inner = 0;
   for (const auto& corner : cornersOf(fill.patches)) {
     if (corner.size() < 3) continue;
@@ -87,7 +84,7 @@ TEST_P(CurvedSeams, MeetInVerticesOfOneSecondForm) {
 
 // Where the curvatures agree the rows vanish; beside it they tell how the jump changes.
 TEST_P(CurvedSeams, AreLinearisedExactly) {
-  const FillResult fill = filled(EnergyKind::MeanCurvatureGradient);
+  const FillResult fill = filled();
   auto plan = layout::planLayout(finished(GetParam().sides()), GetParam().kind);
   plan->inner = Continuity::G2;
   const layout::PatchLayout layout = layoutOf(*plan, fill.patches);
@@ -126,6 +123,30 @@ INSTANTIATE_TEST_SUITE_P(
                       Hole{"Octant", LayoutKind::Star, [] { return sphereOctant(1.0); }},
                       Hole{"Circle", LayoutKind::OGrid, [] { return circleOn(waves(), 1.0); }}),
     [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(SeamCurvature, GoesTogetherWithEveryEnergy) {
+  FillOptions options;
+  options.inner = Continuity::G2;
+  for (const EnergyKind energy : {EnergyKind::ThinPlate, EnergyKind::MinimumVariation}) {
+    options.energy = energy;
+    const auto fill = fillHole(finished(sphereOctant(1.0)), options);
+    ASSERT_TRUE(fill.has_value());
+    EXPECT_EQ(fill->layout, LayoutKind::Star);
+    EXPECT_TRUE(fill->report.withinTolerance);
+    EXPECT_LE(fill->report.largestSeamJump, 0.01);
+  }
+}
+
+TEST(SeamCurvature, GoesTogetherWithCurvedSides) {
+  FillOptions options;
+  options.inner = Continuity::G2;
+  const auto fill = fillHole(finished(asking(polygonOn(waves(), 3), Continuity::G2)), options);
+  ASSERT_TRUE(fill.has_value());
+  EXPECT_EQ(fill->layout, LayoutKind::Star);
+  EXPECT_TRUE(fill->report.withinTolerance);
+  EXPECT_LE(fill->report.largestCurvature, 0.01);
+  EXPECT_LE(fill->report.largestSeamJump, 0.01);
+}
 
 TEST(SeamCurvature, IsNotAskedUnlessWished) {
   const auto fill = fillHole(finished(polygonOn(waves(), 5)), {});
