@@ -108,6 +108,15 @@ gui.pump(0.3)
 assert max(abs(a - b) for a, b in zip(before, places())) < 1e-3
 assert gui.widget("stripesSpin").isVisible() and not gui.widget("scaleLabel").isVisible()
 gui.picture("43_zebra_of_a_block")
+view.setCameraType("Perspective")
+point_at(view, App.Vector(0, 0, 30))
+near = places()
+assert max(abs(a - b) for a, b in zip(before, near)) > 0.05, "seen from near by a plane has stripes, too"
+view.viewFront()
+gui.pump(0.3)
+assert max(abs(a - b) for a, b in zip(near, places())) > 1.0, "stripes follow the other camera"
+view.setCameraType("Orthographic")
+view.viewIsometric()
 gui.press("Close")
 assert not gui.panel_is_open() and pictures() == 0
 App.closeDocument(document.Name)

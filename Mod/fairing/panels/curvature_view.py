@@ -107,6 +107,7 @@ class CurvatureView:
 
     def _moved(self, node) -> None:
         if self.is_on and self._pictures:
+            self._drawing.follow_camera()
             self._ray = self._mouse.ray(node.getEvent())
             self._rest.start()
 

@@ -73,10 +73,17 @@ class PictureDrawing:
     def paint_zebra(self, stripes: int) -> None:
         self._stripes = stripes
         self._set_image(colors.zebra_image(), coin.SoTexture2.REPEAT, AVERAGED)
-        self._paint_stripes()
         self._shown.whichChild = coin.SO_SWITCH_ALL
-        self._sensor.detach()  # FreeCAD may have put up another camera
-        self._sensor.attach(self._view.getCameraNode())
+        self._sensor.detach()
+        self.follow_camera()
+
+    def follow_camera(self) -> None:
+        """FreeCAD puts up another one when it changes between parallel and perspective."""
+        camera = self._view.getCameraNode()
+        if self._stripes and self._sensor.getAttachedNode() != camera:
+            self._sensor.detach()
+            self._sensor.attach(camera)
+            self._paint_stripes()
 
     def hide(self) -> None:
         self._stop_stripes()
