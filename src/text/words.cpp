@@ -12,13 +12,14 @@ using Words = std::array<std::pair<T, std::string_view>, n>;
 
 constexpr Words<Continuity, 3> kContinuities{
     {{Continuity::G0, "G0"}, {Continuity::G1, "G1"}, {Continuity::G2, "G2"}}};
-constexpr Words<EnergyKind, 6> kEnergies{
+constexpr Words<EnergyKind, 7> kEnergies{
     {{EnergyKind::Membrane, "membrane"},
      {EnergyKind::ThinPlate, "thin-plate"},
      {EnergyKind::MeanCurvatureGradient, "mean-curvature-gradient"},
      {EnergyKind::MeanCurvatureGradientMinimum, "mean-curvature-gradient-minimum"},
      {EnergyKind::MinimumVariation, "minimum-variation"},
-     {EnergyKind::TotalCurvature, "total-curvature"}}};
+     {EnergyKind::TotalCurvature, "total-curvature"},
+     {EnergyKind::Triharmonic, "triharmonic"}}};
 constexpr Words<LayoutKind, 7> kLayouts{{{LayoutKind::Auto, "auto"},
                                          {LayoutKind::Quad, "quad"},
                                          {LayoutKind::Star, "star"},
@@ -33,6 +34,9 @@ constexpr Words<boundary::Departure, 3> kDepartures{
 constexpr Words<boundary::MatchKind, 3> kMatches{{{boundary::MatchKind::Auto, "auto"},
                                                   {boundary::MatchKind::Length, "length"},
                                                   {boundary::MatchKind::Corners, "corners"}}};
+
+constexpr Words<spline::QuadratureFamily, 2> kQuadratures{
+    {{spline::QuadratureFamily::Gauss, "gauss"}, {spline::QuadratureFamily::Lobatto, "lobatto"}}};
 
 template <class T, std::size_t n>
 std::string_view find(const Words<T, n>& words, T value) {
@@ -68,6 +72,10 @@ std::string_view word(boundary::MatchKind match) {
   return find(kMatches, match);
 }
 
+std::string_view word(spline::QuadratureFamily family) {
+  return find(kQuadratures, family);
+}
+
 std::optional<Continuity> continuityFrom(std::string_view text) {
   return find(kContinuities, text);
 }
@@ -82,6 +90,10 @@ std::optional<boundary::Departure> departureFrom(std::string_view text) {
 }
 std::optional<boundary::MatchKind> matchFrom(std::string_view text) {
   return find(kMatches, text);
+}
+
+std::optional<spline::QuadratureFamily> quadratureFrom(std::string_view text) {
+  return find(kQuadratures, text);
 }
 
 }  // namespace fairing::text

@@ -8,6 +8,7 @@
 #include "core/boundary/departure.h"
 #include "core/energy/energy_kind.h"
 #include "core/layout/layout_kind.h"
+#include "core/spline/quadrature.h"
 
 /// The words people, files and scripts use for our choices. Documents store them: change none, add
 /// only.
@@ -19,11 +20,13 @@ namespace fairing::text {
 [[nodiscard]] std::string_view word(boundary::Departure departure);  ///< "free", "iso", ...
 
 [[nodiscard]] std::string_view word(boundary::MatchKind match);  ///< "auto", "length", "corners"
+[[nodiscard]] std::string_view word(spline::QuadratureFamily family);  ///< "gauss", "lobatto"
 
 [[nodiscard]] std::optional<Continuity> continuityFrom(std::string_view text);
 [[nodiscard]] std::optional<EnergyKind> energyFrom(std::string_view text);
 [[nodiscard]] std::optional<LayoutKind> layoutFrom(std::string_view text);
 [[nodiscard]] std::optional<boundary::Departure> departureFrom(std::string_view text);
 [[nodiscard]] std::optional<boundary::MatchKind> matchFrom(std::string_view text);
+[[nodiscard]] std::optional<spline::QuadratureFamily> quadratureFrom(std::string_view text);
 
 }  // namespace fairing::text

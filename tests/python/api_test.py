@@ -54,6 +54,14 @@ def test_energies_of_the_shape_go_to_their_minimum(sheet, edges, energy):
     assert shape["steps"][-1]["energy"] <= shape["start"]
 
 
+def test_triharmonic_bends_more_evenly_than_the_plate(sheet, edges):
+    _, plate = fairing.fill(sheet, edges[:1], energy="thin-plate")
+    _, report = fairing.fill(sheet, edges[:1], energy="triharmonic")
+    assert report["within_tolerance"] and report["solve"]["shape"]["end"] == "none"
+    fairness = [r["fairness"]["mean_curvature_gradient"] for r in (report, plate)]
+    assert fairness[0] < fairness[1]
+
+
 def test_a_reference_attracts(sheet, edges):
     free, _ = fairing.fill(sheet, edges[:1])
     reference = free.translated(App.Vector(0, 0, 5))

@@ -85,6 +85,7 @@ class LimitChoices(QtCore.QObject):
             translate("Fairing", "The same, taken to its minimum: slower."),
             translate("Fairing", "Brings back spheres, cylinders, cones and tori. Slower."),
             translate("Fairing", "Bends as little as possible, whatever the parameters. Slower."),
+            translate("Fairing", "Bends as evenly as possible; quick."),
         )[ui.energyCombo.currentIndex()])
         ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
 
