@@ -16,8 +16,9 @@ from . import subelements
 CONTINUITIES = ("G0", "G1", "G2")
 LAYOUTS = ("auto", "quad", "star", "o-grid", "trimmed")
 ENERGIES = ("thin-plate", "membrane", "mean-curvature-gradient", "mean-curvature-gradient-minimum", "minimum-variation",
-            "total-curvature")
+            "total-curvature", "triharmonic")
 INNER = ("G1", "G2")  # how patches meet each other
+LONG_ENERGIES = ("mean-curvature-gradient-minimum", "minimum-variation", "total-curvature")  # by steps, to the end
 RESULTS = ("patches", "shell", "base")
 EDIT_ENERGIES = ("thin-plate", "membrane")  # of an edit
 KEEPS = ("auto", *CONTINUITIES)  # what an edit keeps of a border

@@ -677,6 +677,10 @@
    <translation>Gesamtkrümmung</translation>
   </message>
   <message>
+   <source>Triharmonic</source>
+   <translation>Triharmonisch</translation>
+  </message>
+  <message>
    <source>Result and limits</source>
    <translation>Ergebnis und Grenzen</translation>
   </message>
@@ -844,6 +848,10 @@
    <translation>Gesamtkrümmung - biegt sich so wenig wie möglich, unabhängig von den Parametern</translation>
   </message>
   <message>
+   <source>Triharmonic - bends as evenly as possible; quick</source>
+   <translation>Triharmonisch - biegt sich so gleichmäßig wie möglich; schnell</translation>
+  </message>
+  <message>
    <source>Result</source>
    <translation>Ergebnis</translation>
   </message>
@@ -978,6 +986,10 @@
    <translation>Durch Punkte oder Kanten führen</translation>
   </message>
   <message>
+   <source>Taking the best so far ...</source>
+   <translation>Das Beste bis jetzt wird genommen ...</translation>
+  </message>
+  <message>
    <source>Stopped. Change something, or press OK, to compute again.</source>
    <translation>Angehalten. Etwas ändern oder OK drücken, um neu zu rechnen.</translation>
   </message>
@@ -1028,6 +1040,10 @@
   <message>
    <source>Bends as little as possible, whatever the parameters. Slower.</source>
    <translation>Biegt sich so wenig wie möglich, unabhängig von den Parametern. Langsamer.</translation>
+  </message>
+  <message>
+   <source>Bends as evenly as possible; quick.</source>
+   <translation>Biegt sich so gleichmäßig wie möglich; schnell.</translation>
   </message>
   <message>
    <source>Found by itself: it continues a picked edge smoothly</source>

@@ -90,12 +90,18 @@ void SolveArguments::addFiles(CLI::App& command, const char* whatShape) {
 }
 
 void SolveArguments::addChoices(CLI::App& command) {
-  command.add_option("--energy",
-                     energy,
-                     "thin-plate, membrane, mean-curvature-gradient, "
-                     "mean-curvature-gradient-minimum, minimum-variation or total-curvature "
-                     "(default " +
-                         energy + ")");
+  command.add_option(
+      "--energy",
+      energy,
+      "thin-plate, membrane, mean-curvature-gradient, "
+      "mean-curvature-gradient-minimum, minimum-variation, total-curvature or triharmonic "
+      "(default " +
+          energy + ")");
+  command.add_option(
+      "--quadrature", quadrature, "gauss or lobatto, for energies of the shape (default gauss)");
+  command.add_option("--quadrature-points",
+                     quadraturePoints,
+                     "points a span and direction, 2 to 32 (default: chosen from the degree)");
   command.add_option(
       "--inner-continuity", inner, "how patches meet each other, G1 or G2 (default G1)");
   command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
@@ -112,9 +118,12 @@ Result<FillOptions> SolveArguments::options(const Result<Tolerance>& tolerance) 
   const auto between = text::continuityFrom(inner);
   if (!between || *between == Continuity::G0) return fail(unknown("--inner-continuity", inner));
   if (!tolerance) return fail(tolerance.error());
+  const auto family = text::quadratureFrom(quadrature);
+  if (!family) return fail(unknown("--quadrature", quadrature));
   FillOptions chosen;
   chosen.inner = *between;
   chosen.energy = *energyKind;
+  chosen.quadrature = {quadraturePoints, *family};
   chosen.tolerance = *tolerance;
   chosen.degree = degree;
   chosen.maxPoles = maxPoles;

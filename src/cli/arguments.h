@@ -36,6 +36,8 @@ struct PickArguments {
 struct SolveArguments {
   std::string shape, out, report;
   std::string energy{text::word(FillOptions{}.energy)}, inner = "G1", result = "patches";
+  std::string quadrature{text::word(FillOptions{}.quadrature.family)};
+  int quadraturePoints = 0;
   int degree = 0, maxPoles = FillOptions{}.maxPoles;
 
   void addFiles(CLI::App& command, const char* whatShape);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/finish_on_interrupt.h"
 #include "cli/output.h"
 #include "occt/blend_shape.h"
 #include "occt/shape_file.h"
@@ -41,7 +42,9 @@ Result<Job> prepare(const BlendArguments& arguments) {
 Outcome runBlend(const BlendArguments& arguments) {
   const auto job = prepare(arguments);
   if (!job) return complain(job.error());
-  const auto blended = occt::blendShape(job->index, job->picks, job->options, job->mode);
+  FinishOnInterrupt interrupt;
+  const auto blended =
+      occt::blendShape(job->index, job->picks, job->options, job->mode, interrupt.progress());
   if (!blended) return complain(blended.error());
   const auto written = occt::writeShape(blended->shape, arguments.solve.out);
   if (!written) return complain(written.error());

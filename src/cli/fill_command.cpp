@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/finish_on_interrupt.h"
 #include "cli/output.h"
 #include "cli/targets.h"
 #include "occt/fill_all.h"
@@ -105,7 +106,8 @@ Outcome runFill(const FillArguments& arguments) {
                     job->holes.size()));
     return Outcome::NothingWritten;
   }
-  auto filled = occt::fillHoles(job->index, job->holes, job->options);
+  FinishOnInterrupt interrupt;
+  auto filled = occt::fillHoles(job->index, job->holes, job->options, interrupt.progress());
   const auto isFilled = [](const occt::HoleFill& hole) { return hole.fill.has_value(); };
   if (std::none_of(filled.begin(), filled.end(), isFilled)) return complainOnce(filled);
   const auto all = occt::joinHoles(job->index, std::move(filled), job->mode);

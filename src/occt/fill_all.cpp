@@ -69,6 +69,7 @@ class Crew {
     for (Progress& one : progress_) {
       sum += one.fraction();
       if (shared.isAbortRequested()) one.requestAbort();
+      if (shared.isFinishRequested()) one.requestFinish();
     }
     shared.setFraction(sum / double(holes_.size()));
   }

@@ -12,6 +12,10 @@ void bindProgress(py::module_& module) {
       .def(py::init<>())
       .def(
           "abort", &Progress::requestAbort, "Asks the solve to stop; it then fails with Cancelled.")
+      .def("finish",
+           &Progress::requestFinish,
+           "Asks for the best so far: no more steps towards the least energy, what they have "
+           "reached is finished and returned, and the report says so.")
       .def_property_readonly("aborted", &Progress::isAbortRequested)
       .def_property_readonly("fraction", &Progress::fraction, "Share of the work done, 0 to 1.");
 }

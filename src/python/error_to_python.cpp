@@ -20,8 +20,12 @@ const char* name(ErrorCode code) {
       return "AngleNotPositive";
     case ErrorCode::WeightNegative:
       return "WeightNegative";
+    case ErrorCode::DegreeTooLow:
+      return "DegreeTooLow";
     case ErrorCode::DegreeOutOfRange:
       return "DegreeOutOfRange";
+    case ErrorCode::QuadratureOutOfRange:
+      return "QuadratureOutOfRange";
     case ErrorCode::ControlPointLimit:
       return "ControlPointLimit";
     case ErrorCode::SpansOutOfRange:

@@ -19,9 +19,17 @@ std::string optionSentence(const Error& e) {
       return fmt::format("The angle tolerance must be above zero, not {}.", number(e.value));
     case ErrorCode::WeightNegative:
       return fmt::format("The weight {} must be zero or more, not {}.", e.detail, number(e.value));
+    case ErrorCode::DegreeTooLow:
+      return fmt::format(
+          "The energy asked for has third derivatives and needs degree 3 or more, not {}.",
+          count(e));
     case ErrorCode::DegreeOutOfRange:
       return fmt::format("The degree must be from 3 to 9, or 0 to have it chosen, not {}.",
                          count(e));
+    case ErrorCode::QuadratureOutOfRange:
+      return fmt::format(
+          "The quadrature must have from 2 to 32 points a span, or 0 to have them chosen, not {}.",
+          count(e));
     case ErrorCode::ControlPointLimit:
       return fmt::format("The largest number of control points, {}, leaves no room for a patch.",
                          count(e));
@@ -267,7 +275,9 @@ std::string sentence(const Error& error) {
     case ErrorCode::ToleranceNotPositive:
     case ErrorCode::AngleNotPositive:
     case ErrorCode::WeightNegative:
+    case ErrorCode::DegreeTooLow:
     case ErrorCode::DegreeOutOfRange:
+    case ErrorCode::QuadratureOutOfRange:
     case ErrorCode::ControlPointLimit:
     case ErrorCode::UnknownChoice:
     case ErrorCode::SpansOutOfRange:

@@ -31,6 +31,10 @@ std::string sentence(const analysis::Note& note) {
       return fmt::format(
           "The energy was still falling after {:.0f} steps: the best shape so far is kept.",
           note.value);
+    case analysis::NoteCode::ShapeStopped:
+      return fmt::format(
+          "Stopped after {:.0f} steps towards the least energy: the best shape so far is kept.",
+          note.value);
     case analysis::NoteCode::ShapeUndefined:
       return fmt::format(
           "The energy is undefined near {}, where the surface it starts from has no normal: the "

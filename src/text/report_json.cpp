@@ -92,6 +92,8 @@ std::string_view word(solver::ShapeEnd end) {
       return "quick";
     case solver::ShapeEnd::Converged:
       return "converged";
+    case solver::ShapeEnd::Stopped:
+      return "stopped";
     case solver::ShapeEnd::Limit:
       return "limit";
     case solver::ShapeEnd::Undefined:

@@ -148,11 +148,19 @@ std::string table(const FillReport& report) {
 
 std::string composition(const FillResult& fill) {
   const std::size_t count = fill.patches.size();
-  return fmt::format("Layout {}: {} patch{}, {} control points.",
-                     word(fill.layout),
-                     count,
-                     count == 1 ? "" : "es",
-                     fill.summary.poles);
+  std::string text = fmt::format("Layout {}: {} patch{}, {} control points.",
+                                 word(fill.layout),
+                                 count,
+                                 count == 1 ? "" : "es",
+                                 fill.summary.poles);
+  const solver::ShapeHistory& shape = fill.summary.shape;
+  if (shape.end != solver::ShapeEnd::Quick && !shape.steps.empty())
+    text += fmt::format(" Energy of the shape {:.3g}, from {:.3g} in {} step{}.",
+                        shape.steps.back().energy,
+                        shape.start,
+                        shape.steps.size(),
+                        shape.steps.size() == 1 ? "" : "s");
+  return text;
 }
 
 std::string table(const std::vector<HoleLine>& holes) {

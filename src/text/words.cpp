@@ -12,13 +12,14 @@ using Words = std::array<std::pair<T, std::string_view>, n>;
 
 constexpr Words<Continuity, 3> kContinuities{
     {{Continuity::G0, "G0"}, {Continuity::G1, "G1"}, {Continuity::G2, "G2"}}};
-constexpr Words<EnergyKind, 6> kEnergies{
+constexpr Words<EnergyKind, 7> kEnergies{
     {{EnergyKind::Membrane, "membrane"},
      {EnergyKind::ThinPlate, "thin-plate"},
      {EnergyKind::MeanCurvatureGradient, "mean-curvature-gradient"},
      {EnergyKind::MeanCurvatureGradientMinimum, "mean-curvature-gradient-minimum"},
      {EnergyKind::MinimumVariation, "minimum-variation"},
-     {EnergyKind::TotalCurvature, "total-curvature"}}};
+     {EnergyKind::TotalCurvature, "total-curvature"},
+     {EnergyKind::Triharmonic, "triharmonic"}}};
 constexpr Words<LayoutKind, 7> kLayouts{{{LayoutKind::Auto, "auto"},
                                          {LayoutKind::Quad, "quad"},
                                          {LayoutKind::Star, "star"},
@@ -41,6 +42,8 @@ constexpr Words<CurvatureQuantity, 5> kQuantities{
      {CurvatureQuantity::K1, "k1"},
      {CurvatureQuantity::K2, "k2"},
      {CurvatureQuantity::MeanGradient, "mean-gradient"}}};
+constexpr Words<spline::QuadratureFamily, 2> kQuadratures{
+    {{spline::QuadratureFamily::Gauss, "gauss"}, {spline::QuadratureFamily::Lobatto, "lobatto"}}};
 
 template <class T, std::size_t n>
 std::string_view find(const Words<T, n>& words, T value) {
@@ -85,6 +88,10 @@ std::vector<EnergyKind> allEnergies() {
   return all;
 }
 
+std::string_view word(spline::QuadratureFamily family) {
+  return find(kQuadratures, family);
+}
+
 std::optional<Continuity> continuityFrom(std::string_view text) {
   return find(kContinuities, text);
 }
@@ -102,6 +109,10 @@ std::optional<boundary::MatchKind> matchFrom(std::string_view text) {
 }
 std::optional<analysis::CurvatureQuantity> quantityFrom(std::string_view text) {
   return find(kQuantities, text);
+}
+
+std::optional<spline::QuadratureFamily> quadratureFrom(std::string_view text) {
+  return find(kQuadratures, text);
 }
 
 }  // namespace fairing::text

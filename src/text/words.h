@@ -10,6 +10,7 @@
 #include "core/boundary/departure.h"
 #include "core/energy/energy_kind.h"
 #include "core/layout/layout_kind.h"
+#include "core/spline/quadrature.h"
 
 /// The words people, files and scripts use for our choices. Documents store them: change none, add
 /// only.
@@ -25,6 +26,7 @@ namespace fairing::text {
 
 /// Every energy, in the order they are told in.
 [[nodiscard]] std::vector<EnergyKind> allEnergies();
+[[nodiscard]] std::string_view word(spline::QuadratureFamily family);  ///< "gauss", "lobatto"
 
 [[nodiscard]] std::optional<Continuity> continuityFrom(std::string_view text);
 [[nodiscard]] std::optional<EnergyKind> energyFrom(std::string_view text);
@@ -32,5 +34,6 @@ namespace fairing::text {
 [[nodiscard]] std::optional<boundary::Departure> departureFrom(std::string_view text);
 [[nodiscard]] std::optional<boundary::MatchKind> matchFrom(std::string_view text);
 [[nodiscard]] std::optional<analysis::CurvatureQuantity> quantityFrom(std::string_view text);
+[[nodiscard]] std::optional<spline::QuadratureFamily> quadratureFrom(std::string_view text);
 
 }  // namespace fairing::text

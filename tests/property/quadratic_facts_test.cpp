@@ -119,6 +119,24 @@ TEST(ThinPlate, ReproducesEveryBiharmonicPolynomialFromBorderAndNormalDerivative
   }
 }
 
+TEST(Triharmonic, ReproducesEveryTriharmonicPolynomialFromBorderAndTwoDerivatives) {
+  const Grid g = someGrid();
+  // Harmonic polynomials h, (u^2 + v^2) h and (u^2 + v^2)^2 h: every triharmonic one is a sum of
+  // these.
+  for (int k = 0; k <= 1; ++k) {
+    const BsplineSurface exact = interpolated(
+        [k](double u, double v) {
+          const double r2 = u * u + v * v;
+          return Vector3d(
+              re(k + 2, u, v) + r2 * re(k, u, v), r2 * im(k, u, v), r2 * r2 * re(k, u, v));
+        },
+        g.u,
+        g.v);
+    const BsplineSurface got = minimiser(borderAlone(exact, 3), energy::triharmonic(), 3);
+    EXPECT_THAT(got.poles, IsNear(exact.poles, 1e-10)) << "power " << k;
+  }
+}
+
 TEST(ThinPlate, DoesNotReproduceWhatIsNotBiharmonic) {
   const Grid g = someGrid();
   const BsplineSurface other =

@@ -75,6 +75,14 @@ def test_patches_meet_in_curvature_where_that_is_asked(sheet, edges):
     assert max(gauss) - min(gauss) < 1e-6 * scale ** 2 and max(mean) - min(mean) < 1e-6 * scale
 
 
+def test_triharmonic_bends_more_evenly_than_the_plate(sheet, edges):
+    _, plate = fairing.fill(sheet, edges[:1], energy="thin-plate")
+    _, report = fairing.fill(sheet, edges[:1], energy="triharmonic")
+    assert report["within_tolerance"] and report["solve"]["shape"]["end"] == "none"
+    fairness = [r["fairness"]["mean_curvature_gradient"] for r in (report, plate)]
+    assert fairness[0] < fairness[1]
+
+
 def test_a_reference_attracts(sheet, edges):
     free, _ = fairing.fill(sheet, edges[:1])
     reference = free.translated(App.Vector(0, 0, 5))

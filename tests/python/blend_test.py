@@ -166,7 +166,7 @@ def test_refuses_a_ring_and_a_line():
     ({"tolerance": 0.0}, "ToleranceNotPositive"),
     ({"tolerance": math.nan}, "ToleranceNotPositive"),
     ({"angle": 0.0}, "AngleNotPositive"),
-    ({"degree": 2}, "DegreeOutOfRange"),
+    ({"degree": 2}, "DegreeTooLow"),
     ({"energy": "soap"}, "UnknownChoice"),
     ({"continuity": "G7"}, "UnknownChoice"),
     ({"edge_continuity": {1: "smooth"}}, "UnknownChoice"),

@@ -65,3 +65,12 @@ def test_progress_ends_at_one(shape, edges):
     assert progress.fraction == 0.0 and not progress.aborted
     shape.fill(edges[:1], progress=progress)
     assert progress.fraction == pytest.approx(1.0)
+
+
+def test_finish_takes_the_best_so_far(shape, edges):
+    progress = _fairing.Progress()
+    progress.finish()
+    fill = shape.fill(edges[:1], energy="minimum-variation", progress=progress)
+    assert fill.report["solve"]["shape"]["end"] == "stopped"
+    assert fill.report["within_tolerance"]
+    assert any(note["text"].startswith("Stopped after 0 steps") for note in fill.report["notes"])

@@ -28,7 +28,7 @@ CHOSEN = (
      "What the surface minimises: thin-plate bends as little as possible, membrane stretches as little as possible, "
      "mean-curvature-gradient changes its curvature as little as possible, mean-curvature-gradient-minimum takes that to "
      "the end, minimum-variation changes its curvatures as little as possible along themselves, total-curvature bends as "
-     "little as possible whatever the parameters"),
+     "little as possible whatever the parameters, triharmonic bends as evenly as possible"),
     ("InnerContinuity", "App::PropertyEnumeration", "Shape",
      "How patches meet each other: G1 tangentially, G2 in curvature"),
     ("Degree", "App::PropertyInteger", "Shape", "Degree of the surface, 3 to 9; 0: chosen from the edges"),

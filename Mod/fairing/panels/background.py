@@ -47,6 +47,13 @@ class BackgroundSolver(QtCore.QObject):
         if self._running:
             self._running.stop()
 
+    def take_best(self) -> bool:
+        """Asks the job that runs for the best so far, once; on_done is called with it. Whether there was one to ask."""
+        if not self.is_busy or self._running.is_stale or self._running.is_finishing:
+            return False
+        self._running.take_best()
+        return True
+
     def finish(self, seconds: float) -> None:
         """Cancels for good and waits at most so long for the thread to end."""
         self.cancel()
@@ -79,7 +86,7 @@ class _Run:
     """One job on its thread."""
 
     def __init__(self, job: Job, progress):
-        self.progress, self.is_stale = progress, False
+        self.progress, self.is_stale, self.is_finishing = progress, False, False
         self.value = self.error = None
         self.thread = threading.Thread(target=self._work, args=(job,), name="fairing", daemon=True)
         self.thread.start()
@@ -87,6 +94,10 @@ class _Run:
     def stop(self) -> None:
         self.is_stale = True
         self.progress.abort()
+
+    def take_best(self) -> None:
+        self.is_finishing = True
+        self.progress.finish()
 
     def _work(self, job: Job) -> None:
         try:

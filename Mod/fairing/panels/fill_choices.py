@@ -23,6 +23,7 @@ def energy_sentences() -> tuple[str, ...]:
         translate("Fairing", "The same, taken to its minimum: slower."),
         translate("Fairing", "Brings back spheres, cylinders, cones and tori. Slower."),
         translate("Fairing", "Bends as little as possible, whatever the parameters. Slower."),
+        translate("Fairing", "Bends as evenly as possible; quick."),
     )
 
 

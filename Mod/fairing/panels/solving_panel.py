@@ -12,6 +12,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import native, paths, settings
+from ..choices import LONG_ENERGIES
 from ..selection import Wanted
 from ..translation import translate
 from . import task_boxes
@@ -135,6 +136,10 @@ class SolvingPanel:
     # --- computing ---
 
     def _stop(self) -> None:
+        """The first time the best so far is taken, where steps to a minimum lead to one; else nothing is."""
+        if self._session.request.energy in LONG_ENERGIES and self._solver.take_best():
+            self._say(Status.UNKNOWN, translate("Fairing", "Taking the best so far ..."))
+            return
         self._idle()
         self._show_unsolved(translate("Fairing", "Stopped. Change something, or press OK, to compute again."))
 

@@ -106,6 +106,7 @@ enum class NoteCode {
   BasesOverlap,      ///< where, value = extent in mm: the bases of a blend cut each other
   SetbackOffFace,  ///< edge, face, where, value = mm: a curve to set back to was laid onto the face
   ShapeLimit,      ///< value = steps: the energy of the shape had not come to its minimum
+  ShapeStopped,    ///< value = steps: the caller asked for the best shape so far
   ShapeUndefined,  ///< where: the energy of the shape was undefined there; quadratic solution kept
   SetbackExtended,  ///< edge, face, where, value = mm: it was extended to the face's border
   FaceConverted,    ///< face, value = mm: it is no B-spline, and what stands for it is this close

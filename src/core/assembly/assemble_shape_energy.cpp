@@ -22,10 +22,14 @@ using spline::BasisRow;
 using spline::BsplineSurface;
 using spline::GridLine;
 using spline::GridPoint;
+using spline::QuadratureRule;
 
-// One direction's points of the quadrature.
-GridLine gridLine(const spline::KnotVector& knots, int asked) {
-  return {knots, asked > 0 ? asked : knots.degree()};
+// One direction's points of the quadrature. Lobatto's order is that of one Gauss point less.
+GridLine gridLine(const spline::KnotVector& knots, const QuadratureRule& asked) {
+  QuadratureRule rule = asked;
+  if (rule.points == 0)
+    rule.points = knots.degree() + (rule.family == spline::QuadratureFamily::Lobatto ? 1 : 0);
+  return {knots, rule};
 }
 
 // Row k: the derivative that is the jet's column k, of each control point's basis function.
@@ -160,8 +164,8 @@ std::vector<int> pointsOf(const layout::LayoutPatch& patch, const BasisRow& u, c
 
 // The points of the quadrature on one patch and the jets there.
 struct PatchGrid {
-  PatchGrid(const BsplineSurface& patch, int points)
-      : u(gridLine(patch.u, points)), v(gridLine(patch.v, points)), jets(gridJets(patch, u, v)) {}
+  PatchGrid(const BsplineSurface& patch, const QuadratureRule& rule)
+      : u(gridLine(patch.u, rule)), v(gridLine(patch.v, rule)), jets(gridJets(patch, u, v)) {}
   [[nodiscard]] const Jet& jet(std::size_t i, std::size_t j) const {
     return jets[i * v.points.size() + j];
   }
@@ -177,9 +181,10 @@ void inParallel(std::size_t count, const Work& work) {
   });
 }
 
-std::vector<PatchGrid> gridsOf(const std::vector<BsplineSurface>& patches, int points) {
+std::vector<PatchGrid> gridsOf(const std::vector<BsplineSurface>& patches,
+                               const QuadratureRule& rule) {
   std::vector<std::optional<PatchGrid>> made(patches.size());
-  inParallel(patches.size(), [&](std::size_t p) { made[p].emplace(patches[p], points); });
+  inParallel(patches.size(), [&](std::size_t p) { made[p].emplace(patches[p], rule); });
   std::vector<PatchGrid> grids;
   for (std::optional<PatchGrid>& grid : made) grids.push_back(std::move(*grid));
   return grids;
@@ -201,10 +206,10 @@ struct SpanPoints {
 template <class Make>
 std::vector<ShapeElement> elementsOf(const layout::PatchLayout& layout,
                                      const std::vector<BsplineSurface>& patches,
-                                     int points,
+                                     const QuadratureRule& rule,
                                      const Make& make) {
   FAIRING_ASSERT(patches.size() == layout.patches.size());
-  const std::vector<PatchGrid> grids = gridsOf(patches, points);
+  const std::vector<PatchGrid> grids = gridsOf(patches, rule);
   const std::vector<Span> spans = spansOf(layout);
   std::vector<ShapeElement> elements(spans.size());
   inParallel(spans.size(), [&](std::size_t k) {
@@ -279,13 +284,13 @@ std::vector<std::vector<int>> spanPoints(const layout::PatchLayout& layout) {
 std::vector<ShapeElement> assembleShapeEnergy(const layout::PatchLayout& layout,
                                               const std::vector<BsplineSurface>& patches,
                                               const ShapeEnergy& energy,
-                                              int points,
+                                              const QuadratureRule& rule,
                                               double pinning) {
   const auto add =
       [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
         model.add(u, v, jet, energy, left);
       };
-  return elementsOf(layout, patches, points, [&](const SpanPoints& at) {
+  return elementsOf(layout, patches, rule, [&](const SpanPoints& at) {
     return modelOf(at, add).finish(pinning);
   });
 }
@@ -293,25 +298,25 @@ std::vector<ShapeElement> assembleShapeEnergy(const layout::PatchLayout& layout,
 std::vector<ShapeElement> expandShapeEnergy(const layout::PatchLayout& layout,
                                             const std::vector<BsplineSurface>& patches,
                                             const ShapeEnergy& energy,
-                                            int points) {
+                                            const QuadratureRule& rule) {
   return elementsOf(
-      layout, patches, points, [&](const SpanPoints& at) { return expansionOf(at, energy); });
+      layout, patches, rule, [&](const SpanPoints& at) { return expansionOf(at, energy); });
 }
 
 std::vector<ShapeElement> assembleTangential(const layout::PatchLayout& layout,
                                              const std::vector<BsplineSurface>& patches,
-                                             int points) {
-  return elementsOf(layout, patches, points, tangentialOf);
+                                             const QuadratureRule& rule) {
+  return elementsOf(layout, patches, rule, tangentialOf);
 }
 
 // The sum is taken in one order, whatever the number of threads.
 double shapeEnergyOf(const std::vector<BsplineSurface>& patches,
                      const ShapeEnergy& energy,
-                     int points) {
+                     const QuadratureRule& rule) {
   struct Line {
     std::size_t patch, u;
   };
-  const std::vector<PatchGrid> grids = gridsOf(patches, points);
+  const std::vector<PatchGrid> grids = gridsOf(patches, rule);
   std::vector<Line> lines;
   for (std::size_t p = 0; p < grids.size(); ++p)
     for (std::size_t u = 0; u < grids[p].u.points.size(); ++u) lines.push_back({p, u});

@@ -6,6 +6,7 @@
 #include "core/layout/patch_layout.h"
 #include "core/shape_energy/shape_energy.h"
 #include "core/spline/bspline_surface.h"
+#include "core/spline/quadrature.h"
 
 namespace fairing::assembly {
 
@@ -31,7 +32,7 @@ struct ShapeElement {
     const layout::PatchLayout& layout,
     const std::vector<spline::BsplineSurface>& patches,
     const shape_energy::ShapeEnergy& energy,
-    int points = 0,
+    const spline::QuadratureRule& rule = {},
     double pinning = 0.0);
 
 /// The same with all second derivatives: the expansion of the energy itself up to second order,
@@ -40,7 +41,7 @@ struct ShapeElement {
     const layout::PatchLayout& layout,
     const std::vector<spline::BsplineSurface>& patches,
     const shape_energy::ShapeEnergy& energy,
-    int points = 0);
+    const spline::QuadratureRule& rule = {});
 
 /// The matrix P of  d' P d = integral |d - (d . n) n|^2 du dv,  d displacements of the layout's
 /// points, n the normals of the given patches, by the same quadrature: as the hessians of one
@@ -48,11 +49,11 @@ struct ShapeElement {
 [[nodiscard]] std::vector<ShapeElement> assembleTangential(
     const layout::PatchLayout& layout,
     const std::vector<spline::BsplineSurface>& patches,
-    int points = 0);
+    const spline::QuadratureRule& rule = {});
 
 /// The energy alone, by the same quadrature.
 [[nodiscard]] double shapeEnergyOf(const std::vector<spline::BsplineSurface>& patches,
                                    const shape_energy::ShapeEnergy& energy,
-                                   int points = 0);
+                                   const spline::QuadratureRule& rule = {});
 
 }  // namespace fairing::assembly

@@ -13,7 +13,9 @@ enum class ErrorCode {
   ToleranceNotPositive,  ///< value = the tolerance given
   AngleNotPositive,      ///< value = the angle given, degrees
   WeightNegative,        ///< detail = "lambda" or "gamma", value = the weight given
+  DegreeTooLow,          ///< value = the degree given: the energy has third derivatives
   DegreeOutOfRange,      ///< value = the degree given
+  QuadratureOutOfRange,  ///< value = the points a span given
   ControlPointLimit,     ///< value = the limit given
   UnknownChoice,         ///< detail = the option and the word given
   SpansOutOfRange,       ///< value = the number of spans given

@@ -7,6 +7,8 @@ EnergyTerms energyTerms(EnergyKind kind) {
   switch (kind) {
     case EnergyKind::Membrane:
       return membrane();
+    case EnergyKind::Triharmonic:
+      return triharmonic();
     case EnergyKind::ThinPlate:
     case EnergyKind::MeanCurvatureGradient:  // energies of the shape start from the plate
     case EnergyKind::MeanCurvatureGradientMinimum:

@@ -26,6 +26,10 @@ using EnergyTerms = std::vector<EnergyTerm>;
 /// [WuYang2015] eq. 2 with lambda = gamma = 0: |R_uu|^2 + 2 |R_uv|^2 + |R_vv|^2.
 [[nodiscard]] EnergyTerms thinPlate();
 
+/// T of [Kiciak2011] section 3, doubled: |grad laplace R|^2, of third order. Nought for every R
+/// whose laplacian is constant: the sides have to say where the surface leaves them.
+[[nodiscard]] EnergyTerms triharmonic();
+
 /// The one list of the choices.
 [[nodiscard]] EnergyTerms energyTerms(EnergyKind kind);
 

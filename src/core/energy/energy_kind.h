@@ -16,6 +16,7 @@ enum class EnergyKind {
   MinimumVariation,
   /// integral of k1^2 + k2^2 over the surface [MoretonSequin1992]; started from ThinPlate
   TotalCurvature,
+  Triharmonic,  ///< integral of |grad laplace R|^2 over the parameters, T of [Kiciak2011] 3
 };
 
 }  // namespace fairing

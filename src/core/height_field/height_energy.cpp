@@ -89,6 +89,7 @@ std::vector<EnergySquare> quadraticSquares(EnergyKind kind) {
               {form({{Hvvv, 1.0}, {Huuv, -3.0}}), 0.0, 1.0 / 16.0}};
     case EnergyKind::MeanCurvatureGradient:
     case EnergyKind::MeanCurvatureGradientMinimum:
+    case EnergyKind::Triharmonic:
       break;
   }
   std::vector<EnergySquare> squares = allThirds(kAllThirds);

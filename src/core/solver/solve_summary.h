@@ -17,6 +17,7 @@ enum class ShapeEnd {
   None,       ///< no energy of the shape was asked for
   Quick,      ///< a few steps were asked for and taken
   Converged,  ///< the next step would change next to nothing
+  Stopped,    ///< the caller asked for the best so far
   Limit,      ///< the limit of steps was reached: the best so far
   Undefined,  ///< the quadratic solution has no normal somewhere: it is kept
 };

@@ -27,7 +27,7 @@ struct Effort {
   double settled;     // share of the diagonal: smaller steps are the last
   int levels;         // of knots, every span halved from one to the next
   ShapeHold hold;
-  int quadrature;  // points a span and direction, 0 = the degree
+  spline::QuadratureRule quadrature;
 };
 
 // Spans over a length as long as the hole is wide. Patches that meet in an inner vertex need more
@@ -65,6 +65,7 @@ std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind, double d
       return std::make_unique<shape_energy::TotalCurvature>();
     case EnergyKind::Membrane:
     case EnergyKind::ThinPlate:
+    case EnergyKind::Triharmonic:
       break;
   }
   return nullptr;
@@ -82,9 +83,24 @@ int highestDegree(const layout::PatchLayout& layout) {
   return highest;
 }
 
-Effort effortOf(EnergyKind energy, const layout::PatchLayout& layout) {
+// `byDefault`: Gauss points.
+spline::QuadratureRule ruleOf(spline::QuadratureRule asked, int byDefault) {
+  if (asked.points == 0 && byDefault > 0)
+    asked.points = byDefault + (asked.family == spline::QuadratureFamily::Lobatto ? 1 : 0);
+  return asked;
+}
+
+Effort effortOf(const FillOptions& options, const layout::PatchLayout& layout) {
+  const EnergyKind energy = options.energy;
   if (energy == EnergyKind::MeanCurvatureGradient)
-    return {1e-3, 14, quickSteps(layout.kind), 1e-3, 0.0, 1, {kPinning, 0.0}, 0};
+    return {1e-3,
+            14,
+            quickSteps(layout.kind),
+            1e-3,
+            0.0,
+            1,
+            {kPinning, 0.0},
+            ruleOf(options.quadrature, 0)};
   const double anchor =
       energy == EnergyKind::TotalCurvature ? kAnchorOfSecondOrder : kAnchorOfThirdOrder;
   return {1e-5,
@@ -94,7 +110,7 @@ Effort effortOf(EnergyKind energy, const layout::PatchLayout& layout) {
           2e-6,
           2,
           {0.0, anchor},
-          highestDegree(layout) + kMorePoints};
+          ruleOf(options.quadrature, highestDegree(layout) + kMorePoints)};
 }
 
 // The place where the patches come nearest to having no normal.
@@ -166,6 +182,10 @@ class Improvement {
     shape.history.end = solver::ShapeEnd::Limit;
     for (int k = 0; k < effort.steps; ++k) {
       if (progress_ && progress_->isAbortRequested()) return fail({ErrorCode::Cancelled});
+      if (isToStop()) {
+        shape.history.end = solver::ShapeEnd::Stopped;
+        break;
+      }
       if (isIterated(plan_, options_)) {
         auto moved = solveFor(shape.layout, {points, points, {}}, true);
         if (!moved) return moved;
@@ -187,6 +207,8 @@ class Improvement {
     return points;
   }
 
+  [[nodiscard]] bool isToStop() const { return progress_ && progress_->isFinishRequested(); }
+
  private:
   const layout::LayoutPlan& plan_;
   const FillOptions& options_;
@@ -205,7 +227,7 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
                                            Progress* progress) {
   const auto energy = shapeEnergy(options.energy, diagonal);
   if (!energy) return std::nullopt;
-  const Effort effort = effortOf(options.energy, layout);
+  const Effort effort = effortOf(options, layout);
   const bool needsMore = layout.patches.size() > 1 || options.guidance.acts();
   const double density = needsMore ? kHighDensity : kDensity;
   FairShape shape;
@@ -222,7 +244,7 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
     return shape;
   }
   points = improvement.descend(shape, std::move(*points), effort, 0);
-  for (int level = 1; points && level < effort.levels; ++level) {
+  for (int level = 1; points && level < effort.levels && !improvement.isToStop(); ++level) {
     layout::PatchLayout finer = halved(plan, shape.layout);
     if (finer.pointCount > kMostPoints) break;
     Aim aim;
@@ -233,7 +255,8 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
     points = improvement.descend(shape, std::move(*points), effort, level);
   }
   if (!points) return fail(points.error());
-  if (options.energy == EnergyKind::MeanCurvatureGradient)
+  if (options.energy == EnergyKind::MeanCurvatureGradient &&
+      shape.history.end != solver::ShapeEnd::Stopped)
     shape.history.end = solver::ShapeEnd::Quick;
   shape.patches = makePatches(shape.layout, *points);
   return shape;

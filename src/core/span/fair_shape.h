@@ -20,8 +20,9 @@ struct FairShape {
 /// of the thin plate; nothing where the energy is quadratic. MeanCurvatureGradient takes a few
 /// steps; the others go to the minimum, on these knots and then on twice as many. Constraints hold
 /// exactly all along; a step is taken only if the true energy falls. Where the thin plate has no
-/// normal somewhere, the shape is the thin plate. docs/algorithms/shape_energies.md Fails with
-/// Cancelled and the codes of makeProgram() and solve().
+/// normal somewhere, the shape is the thin plate. Where the caller asks for the best so far
+/// (Progress::requestFinish), it is what the steps have reached. docs/algorithms/shape_energies.md
+/// Fails with Cancelled and the codes of makeProgram() and solve().
 [[nodiscard]] Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
                                                          const layout::PatchLayout& layout,
                                                          const FillOptions& options,

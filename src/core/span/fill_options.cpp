@@ -8,9 +8,25 @@ namespace {
 
 constexpr int kLeastDegree = 3, kLargestDegree = 9;
 constexpr int kLeastPoles = 16;
+constexpr int kLeastPoints = 2, kMostPoints = 32;
 
 bool isPositive(double value) {
   return std::isfinite(value) && value > 0.0;
+}
+
+bool hasThirdDerivatives(EnergyKind energy) {
+  switch (energy) {
+    case EnergyKind::Membrane:
+    case EnergyKind::ThinPlate:
+    case EnergyKind::TotalCurvature:
+      return false;
+    case EnergyKind::MeanCurvatureGradient:
+    case EnergyKind::MeanCurvatureGradientMinimum:
+    case EnergyKind::MinimumVariation:
+    case EnergyKind::Triharmonic:
+      break;
+  }
+  return true;
 }
 
 Error error(ErrorCode code, double value) {
@@ -30,8 +46,13 @@ std::optional<Error> validate(const FillOptions& options) {
     return Error{.code = ErrorCode::FieldUnplaced};
   if (options.inner == Continuity::G0)
     return Error{.code = ErrorCode::UnknownChoice, .detail = "\"G0\" for inner continuity"};
+  if (options.degree > 0 && options.degree < kLeastDegree && hasThirdDerivatives(options.energy))
+    return error(ErrorCode::DegreeTooLow, options.degree);
   if (options.degree != 0 && (options.degree < kLeastDegree || options.degree > kLargestDegree))
     return error(ErrorCode::DegreeOutOfRange, options.degree);
+  const int points = options.quadrature.points;
+  if (points != 0 && (points < kLeastPoints || points > kMostPoints))
+    return error(ErrorCode::QuadratureOutOfRange, points);
   if (options.maxPoles < kLeastPoles) return error(ErrorCode::ControlPointLimit, options.maxPoles);
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 
 #include "core/assembly/assemble_energy.h"
 #include "core/assembly/assemble_shape_energy.h"
+#include "core/base/stopwatch.h"
 #include "core/solver/solve.h"
 #include "core/solver/tie_points.h"
 #include "core/span/span_hole.h"
@@ -97,7 +98,7 @@ ShapeDescent::ShapeDescent(const layout::PatchLayout& layout,
                            const solver::Points& start,
                            double size,
                            const ShapeHold& hold,
-                           int quadrature)
+                           const spline::QuadratureRule& quadrature)
     : layout_(layout),
       energy_(energy),
       freedom_(solver::freedomOf(program)),
@@ -152,8 +153,12 @@ ShapeDescent::Model ShapeDescent::modelOf(std::vector<assembly::ShapeElement> el
 std::optional<ShapeDescent::Trial> ShapeDescent::tried(const solver::Sparse& matrix,
                                                        const Model& model,
                                                        const Place& from) {
-  if (!factor_.factorize(matrix)) return std::nullopt;
-  const VectorXd free = factor_.solve(-model.gradient), moved = freedom_ * free;
+  Stopwatch watch;
+  const bool isDefinite = factor_.factorize(matrix);
+  const VectorXd free = isDefinite ? factor_.solve(-model.gradient) : VectorXd();
+  times_.factorisation += watch.lap();
+  if (!isDefinite) return std::nullopt;
+  const VectorXd moved = freedom_ * free;
   Trial trial;
   trial.points = from.points + Eigen::Map<const solver::Points>(moved.data(), moved.size() / 3, 3);
   trial.step = {.fell = true,
@@ -161,7 +166,9 @@ std::optional<ShapeDescent::Trial> ShapeDescent::tried(const solver::Sparse& mat
                 .energy = energyAt(trial.points),
                 .anchor = anchorAt(trial.points)};
   const double fall = from.sum - (trial.step.energy + trial.step.anchor);
-  if (!(fall > 0.0) || folds(from.patches, makePatches(layout_, trial.points))) return std::nullopt;
+  const bool isWorse = !(fall > 0.0) || folds(from.patches, makePatches(layout_, trial.points));
+  times_.evaluation += watch.lap();
+  if (isWorse) return std::nullopt;
   trial.step.length = std::sqrt(3.0 * moved.squaredNorm() / static_cast<double>(moved.size()));
   trial.asExpected =
       -fall * scale_ / (model.gradient.dot(free) + 0.5 * free.dot(model.hessian * free));
@@ -173,11 +180,14 @@ ShapeStep ShapeDescent::step(solver::Points& points) {
     if (const auto taken = newtonStep(points)) return *taken;
     newtonBelow_ *= kPatience;
   }
+  Stopwatch watch;
   ShapeStep stay{.energy = energyAt(points), .anchor = anchorAt(points)};
   stay.before = stay.energy + stay.anchor;
   const Place from{points, makePatches(layout_, points), stay.before};
+  times_.evaluation += watch.lap();
   const Model model = modelOf(
       assembly::assembleShapeEnergy(layout_, from.patches, energy_, quadrature_, pinning_), points);
+  times_.assembly += watch.lap();
   isSlow_ = false;
   for (int k = 0; k < kTrials; ++k) {
     const auto trial =
@@ -196,9 +206,11 @@ ShapeStep ShapeDescent::step(solver::Points& points) {
 }
 
 std::optional<ShapeStep> ShapeDescent::newtonStep(solver::Points& points) {
+  Stopwatch watch;
   const Place from{points, makePatches(layout_, points), energyAt(points) + anchorAt(points)};
   const Model model =
       modelOf(assembly::expandShapeEnergy(layout_, from.patches, energy_, quadrature_), points);
+  times_.assembly += watch.lap();
   auto trial = tried(model.hessian + 0.0 * displacement_, model, from);
   if (!trial) return std::nullopt;
   points = std::move(trial->points);

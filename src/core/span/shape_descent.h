@@ -27,12 +27,19 @@ struct ShapeStep {
   double length = 0.0;  ///< root of the mean square of the displacements of points, mm
 };
 
+/// Where the time of the steps went, seconds.
+struct StageTimes {
+  double assembly = 0.0;       ///< models of the energy in the free directions
+  double factorisation = 0.0;  ///< factors and the steps they give
+  double evaluation = 0.0;     ///< energies alone, folds
+};
+
 /// Damped Gauss-Newton and Newton steps on an energy of the shape. Every step keeps the constraints
 /// of a program exactly, lets the energy and what the anchor adds to it fall, and folds no patch.
 class ShapeDescent {
  public:
-  /// `start`: points that the anchor holds; `size`: the hole's, mm; `quadrature`: points a span and
-  /// direction, 0 = the degree. The layout and the energy have
+  /// `start`: points that the anchor holds; `size`: the hole's, mm; `quadrature`: 0 points = chosen
+  /// from the degree. The layout and the energy have
   /// to outlive it.
   ShapeDescent(const layout::PatchLayout& layout,
                const shape_energy::ShapeEnergy& energy,
@@ -40,7 +47,7 @@ class ShapeDescent {
                const solver::Points& start,
                double size,
                const ShapeHold& hold,
-               int quadrature);
+               const spline::QuadratureRule& quadrature);
 
   /// The energy alone; not finite where a patch has no normal.
   [[nodiscard]] double energyAt(const solver::Points& points) const;
@@ -52,6 +59,7 @@ class ShapeDescent {
   /// Takes a step with all second derivatives, undamped, if these are positive definite and it lets
   /// the sum fall. Near a minimum the distance to it is squared, whether residuals vanish or not.
   [[nodiscard]] std::optional<ShapeStep> newtonStep(solver::Points& points);
+  [[nodiscard]] const StageTimes& times() const { return times_; }
 
  private:
   struct Model;
@@ -71,7 +79,7 @@ class ShapeDescent {
   solver::Sparse displacement_;  // the integral of |d|^2 in the free directions
   solver::PatternFactor factor_;
   double size_, scale_;
-  int quadrature_;
+  spline::QuadratureRule quadrature_;
   double pinning_;
   solver::Points start_;
   std::vector<assembly::ShapeElement> anchor_;  // without its weight, or empty
@@ -79,6 +87,7 @@ class ShapeDescent {
   double damping_ = 0.0;
   double newtonBelow_;
   bool isSlow_ = false;
+  StageTimes times_;
 };
 
 }  // namespace fairing

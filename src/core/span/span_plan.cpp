@@ -38,6 +38,9 @@ void addHistory(const FairShape& shape, FillResult& result) {
   if (history.end == solver::ShapeEnd::Limit)
     result.report.notes.push_back({.code = analysis::NoteCode::ShapeLimit,
                                    .value = static_cast<double>(history.steps.size())});
+  if (history.end == solver::ShapeEnd::Stopped)
+    result.report.notes.push_back({.code = analysis::NoteCode::ShapeStopped,
+                                   .value = static_cast<double>(history.steps.size())});
   if (history.end == solver::ShapeEnd::Undefined)
     result.report.notes.push_back(
         {.code = analysis::NoteCode::ShapeUndefined, .where = history.where});

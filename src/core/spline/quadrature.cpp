@@ -62,14 +62,45 @@ std::vector<QuadraturePoint> gaussLegendre(int n, double a, double b) {
   return points;
 }
 
+// The inner points are the roots of P'_(n-1), weights 2 / (n (n - 1) P_(n-1)^2): Newton with
+// (1 - x^2) P'' = 2 x P' - m (m + 1) P.
+std::vector<QuadraturePoint> gaussLobatto(int n, double a, double b) {
+  const int m = n - 1;
+  std::vector<QuadraturePoint> points;
+  for (int i = 0; i <= m; ++i) {
+    double x = -std::cos(std::numbers::pi * i / m);  // exact at the ends, else a close guess
+    for (int newton = 0; newton < 50 && i > 0 && i < m; ++newton) {
+      const Legendre p = legendre(m, x);
+      const double curve = (2.0 * x * p.derivative - m * (m + 1) * p.value) / (1.0 - x * x);
+      const double step = p.derivative / curve;
+      x -= step;
+      if (std::abs(step) < 1e-15) break;
+    }
+    // P is 1 or -1 at the ends, where the recurrence's derivative is not defined.
+    const double value = i > 0 && i < m ? legendre(m, x).value : 1.0;
+    const double weight = 2.0 / (n * m * value * value);
+    points.push_back({0.5 * (a + b) + 0.5 * (b - a) * x, 0.5 * (b - a) * weight});
+  }
+  return points;
+}
+
 std::vector<QuadraturePoint> gaussLegendre(int n, const KnotVector& knots) {
-  const std::vector<QuadraturePoint> unit = gaussLegendre(n, 0.0, 1.0);
+  return quadrature(n, knots);
+}
+
+std::vector<QuadraturePoint> quadrature(const QuadratureRule& rule, const KnotVector& knots) {
+  const std::vector<QuadraturePoint> unit = rule.family == QuadratureFamily::Lobatto
+                                                ? gaussLobatto(rule.points, 0.0, 1.0)
+                                                : gaussLegendre(rule.points, 0.0, 1.0);
   const std::vector<double> breaks = knots.breaks();
   std::vector<QuadraturePoint> points;
   for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
     for (const QuadraturePoint& q : unit) {
       const double width = breaks[s + 1] - breaks[s];
-      points.push_back({breaks[s] + width * q.parameter, width * q.weight});
+      const double parameter = breaks[s] + width * q.parameter;
+      points.push_back(
+          {parameter < breaks[s + 1] ? parameter : std::nextafter(breaks[s + 1], breaks[s]),
+           width * q.weight});
     }
   return points;
 }

@@ -8,8 +8,9 @@ namespace fairing::spline {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-GridLine::GridLine(const KnotVector& knots, int asked) : perSpan(static_cast<std::size_t>(asked)) {
-  for (const auto& q : gaussLegendre(asked, knots))
+GridLine::GridLine(const KnotVector& knots, const QuadratureRule& rule)
+    : perSpan(static_cast<std::size_t>(rule.points)) {
+  for (const auto& q : quadrature(rule, knots))
     points.push_back({q.weight, basisRow(knots, q.parameter, 3)});
   for (std::size_t a = 0; a < values.size(); ++a) {
     values[a].setZero(static_cast<Index>(points.size()), knots.poleCount());

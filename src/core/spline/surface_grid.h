@@ -5,6 +5,7 @@
 
 #include "core/spline/bspline_surface.h"
 #include "core/spline/fundamental_forms.h"
+#include "core/spline/quadrature.h"
 
 namespace fairing::spline {
 
@@ -18,10 +19,10 @@ struct GridPoint {
   BasisRow basis;
 };
 
-/// One direction's Gauss-Legendre points, `perSpan` of every span one after the other, evaluated
+/// One direction's points of a quadrature, `perSpan` of every span one after the other, evaluated
 /// once for the whole grid.
 struct GridLine {
-  GridLine(const KnotVector& knots, int perSpan);
+  GridLine(const KnotVector& knots, const QuadratureRule& rule);
 
   std::size_t perSpan;
   std::vector<GridPoint> points;

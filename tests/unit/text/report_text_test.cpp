@@ -204,7 +204,8 @@ TEST(Notes, AreOneSentenceEachOfTheirOwn) {
                               NoteCode::SetbackOffFace,
                               NoteCode::SetbackExtended,
                               NoteCode::ShapeLimit,
-                              NoteCode::ShapeUndefined}) {
+                              NoteCode::ShapeUndefined,
+                              NoteCode::ShapeStopped}) {
     const std::string text = sentence(analysis::Note{code, 17, {1.5, -2.0, 0.0}, 3.0});
     EXPECT_THAT(text, ::testing::EndsWith("."));
     EXPECT_TRUE(all.insert(text).second) << text;
@@ -240,6 +241,18 @@ TEST(ReportJson, TellsTheWayToTheShape) {
   EXPECT_DOUBLE_EQ(json.at("steps")[1].at("length").get<double>(), 0.01);
 }
 
+TEST(Composition, TellsTheWayToTheMinimumInShort) {
+  FillResult fill;
+  EXPECT_THAT(composition(fill), ::testing::Not(::testing::HasSubstr("Energy")));
+  fill.summary.shape.start = 8.0;
+  fill.summary.shape.steps = {{0, 2.0, 0.5, 0.1}, {1, 1.25, 0.25, 0.01}};
+  fill.summary.shape.end = solver::ShapeEnd::Stopped;
+  EXPECT_THAT(composition(fill),
+              ::testing::EndsWith("Energy of the shape 1.25, from 8 in 2 steps."));
+  EXPECT_EQ(nlohmann::json::parse(toJson(fill).dump()).at("solve").at("shape").at("end"),
+            "stopped");
+}
+
 TEST(ReportJson, KeepsTheNumbersAndTurnsNonsenseToNull) {
   FillReport report = good();
   report.fairness.area = std::numeric_limits<double>::quiet_NaN();
@@ -273,7 +286,8 @@ TEST(Words, AreUnderstoodAsTheyAreWritten) {
                              EnergyKind::MeanCurvatureGradient,
                              EnergyKind::MeanCurvatureGradientMinimum,
                              EnergyKind::MinimumVariation,
-                             EnergyKind::TotalCurvature})
+                             EnergyKind::TotalCurvature,
+                             EnergyKind::Triharmonic})
     EXPECT_EQ(energyFrom(word(e)), e);
   for (const LayoutKind l : {LayoutKind::Auto,
                              LayoutKind::Quad,
@@ -282,6 +296,8 @@ TEST(Words, AreUnderstoodAsTheyAreWritten) {
                              LayoutKind::Trimmed})
     EXPECT_EQ(layoutFrom(word(l)), l);
   EXPECT_FALSE(continuityFrom("g1").has_value());
+  for (const auto f : {spline::QuadratureFamily::Gauss, spline::QuadratureFamily::Lobatto})
+    EXPECT_EQ(quadratureFrom(word(f)), f);
   EXPECT_FALSE(energyFrom("").has_value());
 }
 

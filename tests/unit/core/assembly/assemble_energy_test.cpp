@@ -18,6 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using energy::membrane;
 using energy::thinPlate;
+using energy::triharmonic;
 using spline::BsplineSurface;
 using spline::KnotVector;
 
@@ -51,7 +52,7 @@ double imageOf(const Knots& knots, const MatrixXd& matrix, const PointFunction& 
 }
 
 TEST(AssembleEnergy, IsSymmetric) {
-  for (const auto& terms : {membrane(), thinPlate()}) {
+  for (const auto& terms : {membrane(), thinPlate(), triharmonic()}) {
     const MatrixXd h = denseEnergy(someKnots(), terms);
     EXPECT_LT((h - h.transpose()).norm(), 1e-14 * h.norm());
   }
@@ -94,6 +95,29 @@ TEST(AssembleEnergy, ThinPlateOfAKnownPolynomial) {
       [](double u, double v) { return Vector3d(u, v, u * u + 3.0 * u * v - v * v); }, k, k);
   EXPECT_NEAR(
       quadraticForm(assembleEnergy(freePatch(k, k), thinPlate()), surface.poles), 13.0, 1e-12);
+}
+
+TEST(AssembleEnergy, TriharmonicOfAKnownPolynomial) {
+  // z = u^3 + 2 u v^2 + v^3 has the laplacian 10 u + 6 v: 1/2 (100 + 36) = 68.
+  const KnotVector k = KnotVector::bezier(3);
+  const auto surface = interpolated(
+      [](double u, double v) { return Vector3d(u, v, u * u * u + 2.0 * u * v * v + v * v * v); },
+      k,
+      k);
+  EXPECT_NEAR(
+      quadraticForm(assembleEnergy(freePatch(k, k), triharmonic()), surface.poles), 68.0, 1e-11);
+}
+
+TEST(AssembleEnergy, TriharmonicVanishesWhereTheLaplacianIsConstant) {
+  const KnotVector k = KnotVector::fromBreaks(4, {0.0, 0.4, 1.0});
+  const auto surface = interpolated(
+      [](double u, double v) {
+        return Vector3d(u * u * u - 3.0 * u * v * v, u * u, u * v - 2.0 * v * v);
+      },
+      k,
+      k);
+  const auto stiffness = assembleEnergy(freePatch(k, k), triharmonic());
+  EXPECT_LT((stiffness * surface.poles).norm(), 1e-11 * MatrixXd(stiffness).norm());
 }
 
 TEST(AssembleEnergy, IsTheIntegratedEnergyOfAnySurface) {

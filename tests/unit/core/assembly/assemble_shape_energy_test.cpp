@@ -280,6 +280,25 @@ TEST(AssembleShapeEnergy, DefaultQuadratureIsGoodToAThousandth) {
   }
 }
 
+// Every point more is worth a factor of fifty and more; Lobatto's rule with one more is as good as
+// Gauss's. What steps to the minimum take, two more than the degree, leaves rounding alone.
+TEST(AssembleShapeEnergy, TheValueConvergesWithTheOrderOfTheRule) {
+  using spline::QuadratureFamily;
+  const BsplineSurface patch = splineOf(waves(), evenKnots(5, 2));
+  const double exact = energyOf(patch, 24);
+  const auto off = [&](int points, QuadratureFamily family) {
+    return std::abs(shapeEnergyOf({patch}, kEnergy, {points, family}) / exact - 1.0);
+  };
+  for (int points = 4; points <= 6; ++points) {
+    const double gauss = off(points, QuadratureFamily::Gauss);
+    const double lobatto = off(points + 1, QuadratureFamily::Lobatto);
+    EXPECT_LT(off(points + 1, QuadratureFamily::Gauss), 0.02 * gauss);
+    EXPECT_LT(off(points + 2, QuadratureFamily::Lobatto), 0.02 * lobatto);
+    EXPECT_LT(lobatto, 3.0 * gauss);
+  }
+  EXPECT_LT(off(7, QuadratureFamily::Gauss), 1e-11);
+}
+
 TEST(AssembleShapeEnergy, PointsAreNumberedAsInTheLayout) {
   const BsplineSurface patch = bumpyPatch();
   layout::PatchLayout layout = freePatch(patch.u, patch.v);

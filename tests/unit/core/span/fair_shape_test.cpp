@@ -63,6 +63,7 @@ TEST(FairShape, FallsFromStepToStepOnALevel) {
 TEST(FairShape, IsNoMatterOfQuadraticEnergies) {
   EXPECT_FALSE(shapeOf(sphereOctant(10.0), EnergyKind::ThinPlate).has_value());
   EXPECT_FALSE(shapeOf(sphereOctant(10.0), EnergyKind::Membrane).has_value());
+  EXPECT_FALSE(shapeOf(sphereOctant(10.0), EnergyKind::Triharmonic).has_value());
 }
 
 TEST(FairShape, StopsWhereItIsCancelled) {
@@ -74,6 +75,36 @@ TEST(FairShape, StopsWhereItIsCancelled) {
   const auto shape = fairShape(plan, layout, {}, loop.diagonal, &abort);
   ASSERT_FALSE(shape.has_value());
   EXPECT_EQ(shape.error().code, ErrorCode::Cancelled);
+}
+
+TEST(FairShape, KeepsTheBestSoFarWhereThatIsAsked) {
+  Progress finish;
+  finish.requestFinish();
+  const auto loop = finished(sphereOctant(10.0));
+  FillOptions options;
+  options.energy = EnergyKind::MinimumVariation;
+  const auto fill = fillHole(loop, options, &finish);
+  ASSERT_TRUE(fill.has_value());
+  EXPECT_TRUE(fill->report.withinTolerance);
+  EXPECT_EQ(fill->summary.shape.end, solver::ShapeEnd::Stopped);
+  EXPECT_TRUE(fill->summary.shape.steps.empty());
+  ASSERT_FALSE(fill->report.notes.empty());
+  EXPECT_EQ(fill->report.notes.back().code, analysis::NoteCode::ShapeStopped);
+}
+
+// Lobatto's points lie on the borders, too; the shape is the same but for the rule's own error.
+TEST(FairShape, IsTheSameWithEitherQuadrature) {
+  const Sides sides = polygonOn(waves(), 4);
+  FillOptions gauss, lobatto;
+  gauss.energy = lobatto.energy = EnergyKind::MeanCurvatureGradientMinimum;
+  lobatto.quadrature = {0, spline::QuadratureFamily::Lobatto};
+  const auto one = fillHole(finished(sides), gauss), other = fillHole(finished(sides), lobatto);
+  ASSERT_TRUE(one && other);
+  EXPECT_NE(one->summary.shape.steps.back().energy, other->summary.shape.steps.back().energy);
+  EXPECT_NEAR(
+      other->report.fairness.meanCurvatureGradient / one->report.fairness.meanCurvatureGradient,
+      1.0,
+      1e-2);
 }
 
 TEST(FairShape, ReproducesASphere) {

@@ -63,7 +63,20 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"HandleWeightNegative",
                   [](auto& o) { o.guidance.handles = {handle(-1.0, 1.0)}; },
                   ErrorCode::WeightNegative},
-        BadOption{"DegreeTooLow", [](auto& o) { o.degree = 2; }, ErrorCode::DegreeOutOfRange},
+        BadOption{
+            "DegreeTooLowForTheEnergy", [](auto& o) { o.degree = 2; }, ErrorCode::DegreeTooLow},
+        BadOption{"DegreeTooLow",
+                  [](auto& o) {
+                    o.degree = 2;
+                    o.energy = EnergyKind::ThinPlate;
+                  },
+                  ErrorCode::DegreeOutOfRange},
+        BadOption{"QuadraturePointsTooMany",
+                  [](auto& o) { o.quadrature.points = 33; },
+                  ErrorCode::QuadratureOutOfRange},
+        BadOption{"QuadraturePointsNegative",
+                  [](auto& o) { o.quadrature.points = -1; },
+                  ErrorCode::QuadratureOutOfRange},
         BadOption{"DegreeTooHigh", [](auto& o) { o.degree = 10; }, ErrorCode::DegreeOutOfRange},
         BadOption{"PolesTooFew", [](auto& o) { o.maxPoles = 1; }, ErrorCode::ControlPointLimit}),
     [](const auto& instance) { return std::string(instance.param.name); });
