@@ -280,6 +280,19 @@ def test_refuses_curves_of_several_pieces_and_closed_ones(planes):
     refused("SetbackCurveUnlike", lambda: fairing.blend(drawn, [low], [high], from_curve=[len(drawn.Edges)]))
 
 
+@pytest.mark.parametrize("energy", ["thin-plate", "membrane", "triharmonic", "total-curvature", "minimum-variation"])
+def test_every_energy_makes_a_strip_between_pipes_that_is_round(tubes, energy):
+    shape, low, high = tubes
+    faces, report = fairing.blend(shape, [low], [high], energy=energy)
+    assert report["within_tolerance"] and report["largest_angle"] <= ANGLE
+    surface = faces.Faces[0].Surface
+    u0, u1, v0, v1 = surface.bounds()
+    for share in (0.3, 0.5, 0.8):  # at one height, all round
+        ring = [surface.value(u0 + k / 7 * (u1 - u0), v0 + share * (v1 - v0)) for k in range(8)]
+        radii = [math.hypot(point.x, point.y) for point in ring]
+        assert max(radii) - min(radii) < 0.01 and 5.0 < min(radii) < 11.0
+
+
 def test_a_kept_blend_reaches_as_one_that_is_made_anew(tubes):
     shape, low, high = tubes
     native = exchange.native_shape(shape)
