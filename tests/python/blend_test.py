@@ -280,8 +280,8 @@ def test_refuses_curves_of_several_pieces_and_closed_ones(planes):
     refused("SetbackCurveUnlike", lambda: fairing.blend(drawn, [low], [high], from_curve=[len(drawn.Edges)]))
 
 
-@pytest.mark.parametrize("energy", ["thin-plate", "membrane", "triharmonic", "total-curvature", "minimum-variation"])
-def test_every_energy_makes_a_strip_between_pipes_that_is_round(tubes, energy):
+@pytest.mark.parametrize("energy", ["thin-plate", "membrane", "mean-curvature-gradient", "triharmonic", "total-curvature"])
+def test_a_strip_between_pipes_is_round(tubes, energy):
     shape, low, high = tubes
     faces, report = fairing.blend(shape, [low], [high], energy=energy)
     assert report["within_tolerance"] and report["largest_angle"] <= ANGLE

@@ -4,8 +4,8 @@
 namespace fairing::energy {
 namespace {
 
-// Of the plate, beside |grad lap R|^2, which quadratic polynomials cost nothing: v (1 - v) times the
-// direction in which a strip leaves both its sides, or what G0 sides leave open.
+// Of the plate, beside |grad lap R|^2, which quadratic polynomials cost nothing: v (1 - v) times
+// the direction in which a strip leaves both its sides, or what G0 sides leave open.
 constexpr double kDetermining = 1e-3;
 
 EnergyTerms determined(EnergyTerms terms) {
