@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/edit/edit_surface.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "core/analysis/measure_guidance.h"
@@ -196,7 +194,7 @@ analysis::OnFace onFace(const BsplineSurface& scaled,
 std::optional<Error> validate(const EditOptions& options) {
   if (options.energy != EnergyKind::Membrane && options.energy != EnergyKind::ThinPlate)
     return Error{.code = ErrorCode::UnknownChoice,
-                 .detail = "an energy of the shape itself for an edit"};
+                 .detail = "an energy other than membrane and thin plate for an edit"};
   if (options.degree != 0 && (options.degree < kLeastDegree || options.degree > kLargestDegree))
     return Error{.code = ErrorCode::DegreeOutOfRange, .value = double(options.degree)};
   if (options.spans < 0 || options.spans > kMostSpans)

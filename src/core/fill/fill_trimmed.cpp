@@ -123,6 +123,7 @@ Result<FillResult> fillTrimmed(const boundary::BoundaryLoop& loop,
                                Progress* progress) {
   if (const auto wrong = validate(options)) return fail(*wrong);
   Stopwatch watch;
+  if (progress) progress->setFraction(0.0);  // as in span_plan.cpp
   auto hole = prepare(loop, options);
   if (!hole) return fail(hole.error());
   if (const auto off = farInnerConstraint(*hole, options.through)) return fail(*off);

@@ -83,24 +83,10 @@ int highestDegree(const layout::PatchLayout& layout) {
   return highest;
 }
 
-// `byDefault`: Gauss points.
-spline::QuadratureRule ruleOf(spline::QuadratureRule asked, int byDefault) {
-  if (asked.points == 0 && byDefault > 0)
-    asked.points = byDefault + (asked.family == spline::QuadratureFamily::Lobatto ? 1 : 0);
-  return asked;
-}
-
 Effort effortOf(const FillOptions& options, const layout::PatchLayout& layout) {
   const EnergyKind energy = options.energy;
   if (energy == EnergyKind::MeanCurvatureGradient)
-    return {1e-3,
-            14,
-            quickSteps(layout.kind),
-            1e-3,
-            0.0,
-            1,
-            {kPinning, 0.0},
-            ruleOf(options.quadrature, 0)};
+    return {1e-3, 14, quickSteps(layout.kind), 1e-3, 0.0, 1, {kPinning, 0.0}, options.quadrature};
   const double anchor =
       energy == EnergyKind::TotalCurvature ? kAnchorOfSecondOrder : kAnchorOfThirdOrder;
   return {1e-5,
@@ -110,7 +96,7 @@ Effort effortOf(const FillOptions& options, const layout::PatchLayout& layout) {
           2e-6,
           2,
           {0.0, anchor},
-          ruleOf(options.quadrature, highestDegree(layout) + kMorePoints)};
+          options.quadrature.orPoints(highestDegree(layout) + kMorePoints)};
 }
 
 // The place where the patches come nearest to having no normal.
@@ -244,9 +230,13 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
     return shape;
   }
   points = improvement.descend(shape, std::move(*points), effort, 0);
-  for (int level = 1; points && level < effort.levels && !improvement.isToStop(); ++level) {
+  for (int level = 1; points && level < effort.levels; ++level) {
     layout::PatchLayout finer = halved(plan, shape.layout);
     if (finer.pointCount > kMostPoints) break;
+    if (improvement.isToStop()) {
+      shape.history.end = solver::ShapeEnd::Stopped;
+      break;
+    }
     Aim aim;
     aim.shape = pointsOn(finer, makePatches(shape.layout, *points));
     points = improvement.solveFor(finer, aim, false);

@@ -71,6 +71,7 @@ Result<Span> makeSpan(const boundary::BoundaryLoop& loop,
 
 Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progress* progress) {
   Stopwatch watch;
+  if (progress) progress->setFraction(0.0);  // it may have counted another plan
   const double diagonal = span.loop.diagonal;
   const double fitTolerance = kFitShare * options.tolerance.gapFor(diagonal);
   auto layout = layout::makeLayout(span.plan, {options.degree, fitTolerance, options.maxPoles});
