@@ -125,11 +125,10 @@ void reachSlider(benchmark::State& state, const Case& c) {
 
 int main(int argc, char** argv) {
   using namespace fairing::benchmarks;
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  for (const Case& c : makeCases()) {
-    add(c.name + "/blend", [=](benchmark::State& state) { wholeBlend(state, c); });
-    add(c.name + "/reach_slider", [=](benchmark::State& state) { reachSlider(state, c); });
-  }
-  benchmark::RunSpecifiedBenchmarks();
+  return runAll(argc, argv, [] {
+    for (const Case& c : makeCases()) {
+      add(c.name + "/blend", [=](benchmark::State& state) { wholeBlend(state, c); });
+      add(c.name + "/reach_slider", [=](benchmark::State& state) { reachSlider(state, c); });
+    }
+  });
 }

@@ -114,11 +114,10 @@ void slide(benchmark::State& state, const Case& c, bool lookUp) {
 
 int main(int argc, char** argv) {
   using namespace fairing::benchmarks;
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  for (const Case& c : kCases) {
-    add(c.name + "/slider", [=](benchmark::State& state) { slide(state, c, false); });
-    add(c.name + "/handle", [=](benchmark::State& state) { slide(state, c, true); });
-  }
-  benchmark::RunSpecifiedBenchmarks();
+  return runAll(argc, argv, [] {
+    for (const Case& c : kCases) {
+      add(c.name + "/slider", [=](benchmark::State& state) { slide(state, c, false); });
+      add(c.name + "/handle", [=](benchmark::State& state) { slide(state, c, true); });
+    }
+  });
 }

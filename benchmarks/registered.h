@@ -16,4 +16,15 @@ benchmark::internal::Benchmark* add(const std::string& name, Function function) 
       ->ReportAggregatesOnly();
 }
 
+/// The main() of programs whose benchmarks are all of these: `addAll` registers them. 2 for an
+/// argument that nobody knows.
+template <class AddAll>
+int runAll(int argc, char** argv, const AddAll& addAll) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  addAll();
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
+
 }  // namespace fairing::benchmarks

@@ -31,12 +31,12 @@ const std::string kHoles[] = {
     "sphere_octant", "bump", "wavy_pentagon", "wavy_hexagon", "round_hole"};
 constexpr double kDensity = 3.0, kFitShare = 1e-5;
 constexpr int kMostPolesAlong = 24, kPoints = 7, kMostSteps = 30;
-constexpr double kWorthAStep = 1e-3, kUmbilic = 1e-4;
+constexpr double kWorthAStep = 1e-3;
 
 std::vector<Energy> energies(double diagonal) {
   return {{"mean_curvature_gradient", std::make_shared<shape_energy::MeanCurvatureGradient>(), 1e4},
           {"minimum_variation",
-           std::make_shared<shape_energy::MinimumVariation>(kUmbilic / diagonal),
+           std::make_shared<shape_energy::MinimumVariation>(shape_energy::kUmbilicShare / diagonal),
            1e4},
           {"total_curvature", std::make_shared<shape_energy::TotalCurvature>(), 1e6}};
 }
@@ -85,14 +85,13 @@ void descend(benchmark::State& state, const Hole& hole, std::size_t which) {
 
 int main(int argc, char** argv) {
   using namespace fairing::benchmarks;
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  for (const Hole& hole : makeHoles())
-    for (const std::string& name : kHoles) {
-      if (hole.name != name) continue;
-      for (std::size_t k = 0; k < energies(1.0).size(); ++k)
-        add(name + "/" + energies(1.0)[k].name,
-            [=](benchmark::State& state) { descend(state, hole, k); });
-    }
-  benchmark::RunSpecifiedBenchmarks();
+  return runAll(argc, argv, [] {
+    for (const Hole& hole : makeHoles())
+      for (const std::string& name : kHoles) {
+        if (hole.name != name) continue;
+        for (std::size_t k = 0; k < energies(1.0).size(); ++k)
+          add(name + "/" + energies(1.0)[k].name,
+              [=](benchmark::State& state) { descend(state, hole, k); });
+      }
+  });
 }

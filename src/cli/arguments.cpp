@@ -34,6 +34,13 @@ Result<void> addDirections(const std::vector<std::string>& words,
   return {};
 }
 
+void addSizes(CLI::App& command, int& degree, int& maxPoles) {
+  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
+  command.add_option("--max-poles",
+                     maxPoles,
+                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
+}
+
 }  // namespace
 
 void PickArguments::addTo(CLI::App& command) {
@@ -104,10 +111,7 @@ void SolveArguments::addChoices(CLI::App& command) {
                      "points a span and direction, 2 to 32 (default: chosen from the degree)");
   command.add_option(
       "--inner-continuity", inner, "how patches meet each other, G1 or G2 (default G1)");
-  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
-  command.add_option("--max-poles",
-                     maxPoles,
-                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
+  addSizes(command, degree, maxPoles);
   command.add_option("--result", result, "patches, shell or base (default patches)");
   command.add_option("--report", report, "JSON file for the numbers");
 }
@@ -242,10 +246,7 @@ void CompareArguments::addTo(CLI::App& command) {
   addList(command, "--energies", energies, "which to compare (default: all)");
   command.add_option("--layout", layout, "auto, quad, star, o-grid or trimmed (default auto)");
   guide.addTo(command);
-  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
-  command.add_option("--max-poles",
-                     maxPoles,
-                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
+  addSizes(command, degree, maxPoles);
   command.add_option("--report", report, "JSON file for the numbers");
 }
 

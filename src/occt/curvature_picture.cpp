@@ -18,6 +18,7 @@
 #include "core/base/angle.h"
 #include "occt/from_occt.h"
 #include "occt/guarded.h"
+#include "occt/triangles_of.h"
 
 namespace fairing::occt {
 namespace {
@@ -66,11 +67,7 @@ ParameterMesh meshOf(const TopoDS_Face& face, double diagonal) {
   if (triangles.IsNull() || !triangles->HasUVNodes()) return mesh;
   for (int node = 1; node <= triangles->NbNodes(); ++node)
     mesh.at.emplace_back(triangles->UVNode(node).X(), triangles->UVNode(node).Y());
-  for (int i = 1; i <= triangles->NbTriangles(); ++i) {
-    int a, b, c;  // counter-clockwise about u x v
-    triangles->Triangle(i).Get(a, b, c);
-    mesh.triangles.push_back({a - 1, b - 1, c - 1});
-  }
+  mesh.triangles = trianglesOf(*triangles);  // counter-clockwise about u x v
   return mesh;
 }
 

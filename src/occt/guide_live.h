@@ -6,8 +6,8 @@
 namespace fairing::occt {
 
 /// The same fill under other guidance, as a preview: one numeric factorisation, so that it follows
-/// a slider or a handle. Unless `lookUp` asks for it, what guides stays where it was
-/// looked up before. By one thread at a time. Fails as LiveFill::under() does.
+/// a slider or a handle. Unless `lookUp` asks for it, what guides stays where it was looked up
+/// before. By one thread at a time. Fails as LiveFill::under() does.
 [[nodiscard]] Result<ShapeFill> guiding(const ShapeFill& fill,
                                         const energy::Guidance& guidance,
                                         bool lookUp);

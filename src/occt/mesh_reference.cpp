@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "occt/from_occt.h"
+#include "occt/triangles_of.h"
 
 namespace fairing::occt {
 namespace {
@@ -29,16 +30,6 @@ using Tree = BVH_Triangulation<double, 3>;
 // A coordinate on a triangle this small puts a foot on its edge; a point is above its foot unless
 // it is this far aside, as a share of its distance.
 constexpr double kOnEdge = 1e-9, kAside = 0.01;
-
-std::vector<Triangle> trianglesOf(const Poly_Triangulation& mesh) {
-  std::vector<Triangle> triangles;
-  for (int k = 1; k <= mesh.NbTriangles(); ++k) {
-    int a = 0, b = 0, c = 0;
-    mesh.Triangle(k).Get(a, b, c);
-    triangles.push_back({a - 1, b - 1, c - 1});
-  }
-  return triangles;
-}
 
 using Edge = std::pair<int, int>;  // in the direction in which a triangle has it
 

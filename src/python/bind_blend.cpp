@@ -217,11 +217,10 @@ void bindBlend(py::module_& module, py::class_<ShapeIndex>& shape) {
           "that join the ends of open sides, end_faces faces that the ends follow: along the edges "
           "of their border, or sliding on them. cuts holds edges from rim to rim that show where "
           "a junction is cut. inner_continuity, G1 or G2: how patches meet each other. lambda_, "
-          "gamma, reference and guide are those of fill(). tolerance "
-          "is "
-          "in mm (None: a millionth of the diagonal of both chains), angle in degrees, degree 3 "
-          "to 9 (0: chosen from the edges). The GIL is released while solving. Raises "
-          "FairingError.");
+          "gamma, reference and guide are those of fill(). tolerance is in mm (None: a millionth "
+          "of "
+          "the diagonal of both chains), angle in degrees, degree 3 to 9 (0: chosen from the "
+          "edges). The GIL is released while solving. Raises FairingError.");
 }
 
 }  // namespace fairing::python

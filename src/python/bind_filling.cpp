@@ -154,12 +154,10 @@ void bindFilling(py::class_<ShapeIndex>& shape) {
           "the normal of a symmetry plane they lie in; through holds points (x, y, z) and BREP of "
           "edges and vertices to pass through. inner_continuity, G1 or G2, is how patches meet "
           "each "
-          "other. tolerance is in mm (None: a millionth of the hole's "
-          "diagonal), angle in degrees. reference is the BREP of faces that guide; guide a list of "
-          "{point, normal, weight, radius}, or {normals: that list, field: {n, m, normals, "
-          "weights, "
-          "corners}}. The GIL is released while solving. Raises "
-          "FairingError.")
+          "other. tolerance is in mm (None: a millionth of the hole's diagonal), angle in degrees. "
+          "reference is the BREP of faces that guide; guide a list of {point, normal, weight, "
+          "radius}, or {normals: that list, field: {n, m, normals, weights, corners}}. The GIL is "
+          "released while solving. Raises FairingError.")
       .def(
           "fill_all",
           &fillAll,

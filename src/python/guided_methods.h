@@ -42,7 +42,7 @@ void bindGuidance(Class& bound) {
           pybind11::arg("lambda_"),
           pybind11::arg("gamma"),
           pybind11::arg("guide") = pybind11::none(),
-          "The same under other weights, its faces alone: one solve, for previews that follow a "
+          "The same under other weights, as a preview: one solve, so that it follows a "
           "slider or a handle. guide as in fill() (None: what guided before); the reference stays. "
           "By one thread at a time. The GIL is released while solving. Raises FairingError.")
       .def_property_readonly(

@@ -8,6 +8,7 @@
 #include "text/error_text.h"
 #include "text/quantities.h"
 #include "text/words.h"
+#include "text/worst_miss.h"
 
 namespace fairing::text {
 namespace {
@@ -15,10 +16,14 @@ namespace {
 constexpr const char* kRow = "{:<31} {:>9} {:>8} {}{:>11} {:>11} {:>14} {:>14} {:>8}\n";
 
 bool asksForCurvature(const EnergyLine& line) {
-  return line.fill != nullptr &&
-         std::any_of(line.fill->report.sides.begin(),
-                     line.fill->report.sides.end(),
-                     [](const analysis::SideReport& s) { return s.asked == Continuity::G2; });
+  if (line.fill == nullptr) return false;
+  const auto& sides = line.fill->report.sides;
+  return std::any_of(sides.begin(), sides.end(), asksCurvature);
+}
+
+// The column that is there for G2 only.
+std::string ifWanted(bool withCurvature, const std::string& text) {
+  return withCurvature ? fmt::format("{:>9} ", text) : "";
 }
 
 std::string row(const EnergyLine& line, bool withCurvature) {
@@ -31,7 +36,7 @@ std::string row(const EnergyLine& line, bool withCurvature) {
                      word(line.energy),
                      length(report.largestGap),
                      angle(std::max(report.largestAngle, report.largestCornerAngle)),
-                     withCurvature ? fmt::format("{:>9} ", percent(report.largestCurvature)) : "",
+                     ifWanted(withCurvature, percent(report.largestCurvature)),
                      number(fair.thinPlate),
                      number(fair.totalCurvature),
                      number(fair.meanCurvatureGradient),
@@ -47,7 +52,7 @@ std::string table(const std::vector<EnergyLine>& energies) {
                                  "energy",
                                  "gap",
                                  "angle",
-                                 withCurvature ? fmt::format("{:>9} ", "curvature") : "",
+                                 ifWanted(withCurvature, "curvature"),
                                  "thin plate",
                                  "k1^2+k2^2",
                                  "|grad H|^2",
@@ -57,7 +62,7 @@ std::string table(const std::vector<EnergyLine>& energies) {
                       "",
                       "",
                       "",
-                      withCurvature ? fmt::format("{:>9} ", "") : "",
+                      ifWanted(withCurvature, ""),
                       "mm^2",
                       "",
                       "1/mm^2",

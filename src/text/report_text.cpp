@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "text/error_text.h"
 #include "text/note_text.h"
@@ -47,7 +48,9 @@ std::string praise(const FillReport& report) {
   text += fmt::format("gap {}", length(report.largestGap));
   if (!report.seams.empty())
     text += fmt::format("; seams within {}", angle(report.largestSeamAngle));
-  if (std::any_of(report.seams.begin(), report.seams.end(), asksSeamCurvature))
+  if (std::any_of(report.seams.begin(),
+                  report.seams.end(),
+                  std::mem_fn(&analysis::SeamReport::asksCurvature)))
     text += fmt::format(", curvature jumps within {}", percent(report.largestSeamJump));
   if (!report.inner.empty())
     text += fmt::format("; inner constraints within {}", length(report.largestInnerGap));

@@ -35,7 +35,7 @@ class Ranking {
     for (const SeamReport& seam : report.seams) {
       consider({Miss::Kind::Gap, seam.gap.max / report.gapLimit, nullptr, &seam});
       consider({Miss::Kind::Angle, seam.angle.max / report.angleLimit, nullptr, &seam});
-      if (asksSeamCurvature(seam))
+      if (seam.asksCurvature())
         consider({Miss::Kind::Curvature, seam.jump.max / report.curvatureLimit, nullptr, &seam});
     }
     for (const InnerReport& inner : report.inner) {
@@ -183,10 +183,6 @@ bool asksTangency(const SideReport& side) {
 
 bool asksCurvature(const SideReport& side) {
   return side.asked == Continuity::G2;
-}
-
-bool asksSeamCurvature(const SeamReport& seam) {
-  return !seam.crease && seam.asked == Continuity::G2;
 }
 
 std::optional<std::string> worstMiss(const FillReport& report) {

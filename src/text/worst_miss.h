@@ -11,7 +11,6 @@ namespace fairing::text {
 [[nodiscard]] bool asksTangency(const analysis::SideReport& side);
 /// Whether a side was to be met in curvature.
 [[nodiscard]] bool asksCurvature(const analysis::SideReport& side);
-[[nodiscard]] bool asksSeamCurvature(const analysis::SeamReport& seam);
 
 /// What misses its limit by the largest factor - an edge, a seam or an inner constraint - in words:
 /// which, by how much, where and why. No full stop. Nothing where nothing was measured.

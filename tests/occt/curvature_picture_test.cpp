@@ -55,11 +55,7 @@ TEST(CurvaturePictureOfFaces, ACylinderFaceBendsAwayFromItsOutwardNormal) {
 }
 
 TEST(CurvaturePictureOfFaces, TheWallOfAHoleBendsTowardsItsNormal) {
-  const TopoDS_Shape drilled =
-      BRepAlgoAPI_Cut(
-          box(40, 40, 20),
-          BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20, 20, -1), gp_Dir(0, 0, 1)), 5, 30).Shape())
-          .Shape();
+  const TopoDS_Shape drilled = drilledBox(40, 20, 5);
   const auto picture = pictureOf(drilled);
   const auto values = picture.values();
   EXPECT_NEAR(values.col(kMean).maxCoeff(), 0.1, 1e-12);

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -198,11 +197,7 @@ TEST(FindLoop, RefusesEdgesOfTwoHoles) {
 }
 
 TEST(FindLoop, RefusesAFaceWithAHoleOfItsOwn) {
-  const TopoDS_Shape drilled =
-      BRepAlgoAPI_Cut(
-          box(10, 10, 10),
-          BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, 5, -1), gp_Dir(0, 0, 1)), 2.0, 12.0).Shape())
-          .Shape();
+  const TopoDS_Shape drilled = drilledBox(10, 10, 2);
   const ShapeIndex index(drilled);
   int top = 0;
   for (int face = 1; face <= index.faceCount(); ++face) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "occt/shapes.h"
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
@@ -92,6 +94,13 @@ TopoDS_Shape polygon(const std::vector<Eigen::Vector3d>& corners) {
 
 TopoDS_Shape box(double dx, double dy, double dz) {
   return BRepPrimAPI_MakeBox(dx, dy, dz).Shape();
+}
+
+TopoDS_Shape drilledBox(double side, double height, double radius) {
+  const gp_Ax2 axis(gp_Pnt(0.5 * side, 0.5 * side, -1.0), gp_Dir(0, 0, 1));
+  return BRepAlgoAPI_Cut(box(side, side, height),
+                         BRepPrimAPI_MakeCylinder(axis, radius, height + 2.0).Shape())
+      .Shape();
 }
 
 TopoDS_Shape everySecondReversed(const TopoDS_Shape& shape) {

@@ -36,6 +36,8 @@ enum class Joint { Sewn, Loose };
 /// A flat face.
 [[nodiscard]] TopoDS_Shape polygon(const std::vector<Eigen::Vector3d>& corners);
 [[nodiscard]] TopoDS_Shape box(double dx, double dy, double dz);
+/// A box over a square with a hole through the middle of it.
+[[nodiscard]] TopoDS_Shape drilledBox(double side, double height, double radius);
 /// The shape's faces in a compound, each one on its own, every second one reversed.
 [[nodiscard]] TopoDS_Shape everySecondReversed(const TopoDS_Shape& shape);
 [[nodiscard]] TopoDS_Shape compound(const std::vector<TopoDS_Shape>& shapes);

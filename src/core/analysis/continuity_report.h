@@ -74,6 +74,8 @@ struct SeamReport {
   /// reflections show, where `curvature` is large beside a flat place. The one that counts for G2.
   Deviation jump = {};
   std::vector<AnglePlace> angleCurve = {};  ///< ascending, over the seam's parameter
+
+  [[nodiscard]] bool asksCurvature() const { return !crease && asked == Continuity::G2; }
 };
 
 /// A point or curve the patches were to pass through.
@@ -135,8 +137,8 @@ struct CornerReport {
 /// Figures of the surface itself (area and curvature integrals).
 struct FairnessReport {
   double area = 0.0;  ///< mm^2
-  double thinPlate =
-      0.0;  ///< integral over the parameters of |R_uu|^2 + 2 |R_uv|^2 + |R_vv|^2, mm^2
+  /// Integral over the parameters of |R_uu|^2 + 2 |R_uv|^2 + |R_vv|^2, mm^2.
+  double thinPlate = 0.0;
   double totalCurvature = 0.0;         ///< integral of k1^2 + k2^2, no unit
   double meanCurvatureGradient = 0.0;  ///< integral of |grad H|^2, 1/mm^2
   double minimumVariation = 0.0;       ///< integral of (dk1/de1)^2 + (dk2/de2)^2, 1/mm^2

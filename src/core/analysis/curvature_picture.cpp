@@ -70,19 +70,30 @@ double percentile(const std::vector<Weighted>& ascending, double share) {
   return ascending.empty() ? 0.0 : ascending.back().value;
 }
 
-}  // namespace
-
+// By the side that is seen: turned round, curvatures change their sign.
 CurvatureValues curvatureValues(const spline::ThirdOrderJet& jet, bool reversed) {
   const Curvature c = curvatureOf(jet);
-  const double gradient = std::sqrt(std::max(0.0, c.meanGradientSquared));
+  // Rounding is no slope; what is not finite stays so.
+  const double gradient = c.meanGradientSquared < 0.0 ? 0.0 : std::sqrt(c.meanGradientSquared);
   CurvatureValues values;
   if (reversed)
     values << -c.mean, c.gauss, -c.k2(), -c.k1(), gradient;
   else
     values << c.mean, c.gauss, c.k1(), c.k2(), gradient;
-  if (!std::isfinite(c.meanGradientSquared)) values[4] = c.meanGradientSquared;
   return values;
 }
+
+PictureSurface pictureSurface(spline::BsplineSurface patch, bool reversed, int number) {
+  const auto shared = std::make_shared<const spline::BsplineSurface>(std::move(patch));
+  return {[shared](double u, double v) {
+            const spline::Partials partials = shared->derivatives(u, v, 3);
+            return PlacedJet{partials.col(0), spline::thirdOrderJet(partials)};
+          },
+          reversed,
+          number};
+}
+
+}  // namespace
 
 CurvaturePicture::Vertex CurvaturePicture::vertexAt(int surface, const Vector2d& at) const {
   const PictureSurface& on = surfaces_[static_cast<std::size_t>(surface)];
@@ -128,7 +139,7 @@ class CurvaturePicture::Refinement {
   }
   [[nodiscard]] bool isTooCoarse(const Vertex& a, const Vertex& b) const {
     const double length = (a.point - b.point).norm();
-    if (length > fineness_.longest) return fineness_.longest > 0.0;
+    if (fineness_.longest > 0.0 && length > fineness_.longest) return true;
     if (fineness_.turn <= 0.0 || length <= kShortestShare * fineness_.longest) return false;
     return angleBetween(a.normal, b.normal) > fineness_.turn;
   }
@@ -170,11 +181,11 @@ class CurvaturePicture::Refinement {
 };
 
 // A corner without a normal takes that of a place a little inside its triangle.
-void CurvaturePicture::mendSingular(std::size_t firstVertex, std::size_t firstTriangle) {
+void CurvaturePicture::mendSingular(std::size_t firstTriangle) {
   for (std::size_t t = firstTriangle; t < triangles_.size(); ++t)
     for (const int corner : triangles_[t]) {
       Vertex& vertex = vertices_[static_cast<std::size_t>(corner)];
-      if (static_cast<std::size_t>(corner) < firstVertex || !vertex.normal.isZero()) continue;
+      if (!vertex.normal.isZero()) continue;
       Vector2d middle = Vector2d::Zero();
       for (const int k : triangles_[t]) middle += vertices_[static_cast<std::size_t>(k)].at / 3.0;
       const Vertex inside = vertexAt(vertex.surface, vertex.at + kInwards * (middle - vertex.at));
@@ -199,7 +210,7 @@ void CurvaturePicture::add(PictureSurface surface,
   Refinement refinement(*this, firstTriangle, fineness);
   for (int pass = 0; pass < kPasses && vertices_.size() - firstVertex < kMostVertices; ++pass)
     if (!refinement.pass()) break;
-  mendSingular(firstVertex, firstTriangle);
+  mendSingular(firstTriangle);
 }
 
 Mesh CurvaturePicture::mesh() const {
@@ -268,16 +279,6 @@ CurvaturePlace CurvaturePicture::at(int triangle, double a, double b) const {
           vertex.point,
           isPole ? corner(0).normal : vertex.normal,
           isPole ? corner(0).values : vertex.values};
-}
-
-PictureSurface pictureSurface(spline::BsplineSurface patch, bool reversed, int number) {
-  const auto shared = std::make_shared<const spline::BsplineSurface>(std::move(patch));
-  return {[shared](double u, double v) {
-            const spline::Partials partials = shared->derivatives(u, v, 3);
-            return PlacedJet{partials.col(0), spline::thirdOrderJet(partials)};
-          },
-          reversed,
-          number};
 }
 
 CurvaturePicture curvaturePicture(const std::vector<spline::BsplineSurface>& patches,

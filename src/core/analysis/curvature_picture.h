@@ -24,9 +24,6 @@ enum class CurvatureQuantity {
 inline constexpr int kCurvatureQuantities = 5;
 using CurvatureValues = Eigen::Matrix<double, 1, kCurvatureQuantities>;
 
-/// Against u x v, or against the opposite normal. Not finite where R_u x R_v vanishes.
-[[nodiscard]] CurvatureValues curvatureValues(const spline::ThirdOrderJet& jet, bool reversed);
-
 /// A point of a surface with its derivatives.
 struct PlacedJet {
   Eigen::Vector3d point;
@@ -90,7 +87,7 @@ class CurvaturePicture {
   };
   class Refinement;
   [[nodiscard]] Vertex vertexAt(int surface, const Eigen::Vector2d& at) const;
-  void mendSingular(std::size_t firstVertex, std::size_t firstTriangle);
+  void mendSingular(std::size_t firstTriangle);
 
   std::vector<PictureSurface> surfaces_;
   std::vector<Vertex> vertices_;
@@ -101,10 +98,5 @@ class CurvaturePicture {
 [[nodiscard]] CurvaturePicture curvaturePicture(const std::vector<spline::BsplineSurface>& patches,
                                                 const std::vector<bool>& reversed,
                                                 int cells);
-
-/// A patch as a picture takes it.
-[[nodiscard]] PictureSurface pictureSurface(spline::BsplineSurface patch,
-                                            bool reversed,
-                                            int number);
 
 }  // namespace fairing::analysis

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/analysis/curvature.h"
 #include "core/base/angle.h"
@@ -81,7 +80,7 @@ void addSeams(FillReport& report,
     report.largestSeamGap = std::max(report.largestSeamGap, seam.gap.max);
     if (seam.crease) continue;
     report.largestSeamAngle = std::max(report.largestSeamAngle, seam.angle.max);
-    if (seam.asked == Continuity::G2)
+    if (seam.asksCurvature())
       report.largestSeamJump = std::max(report.largestSeamJump, seam.jump.max);
   }
   report.withinTolerance = report.withinTolerance && report.largestSeamGap <= report.gapLimit &&

@@ -24,12 +24,9 @@ using spline::GridLine;
 using spline::GridPoint;
 using spline::QuadratureRule;
 
-// One direction's points of the quadrature. Lobatto's order is that of one Gauss point less.
-GridLine gridLine(const spline::KnotVector& knots, const QuadratureRule& asked) {
-  QuadratureRule rule = asked;
-  if (rule.points == 0)
-    rule.points = knots.degree() + (rule.family == spline::QuadratureFamily::Lobatto ? 1 : 0);
-  return {knots, rule};
+// One direction's points of the quadrature.
+GridLine gridLine(const spline::KnotVector& knots, const QuadratureRule& rule) {
+  return {knots, rule.orPoints(knots.degree())};
 }
 
 // Row k: the derivative that is the jet's column k, of each control point's basis function.
@@ -48,24 +45,21 @@ void setJetBasis(const BasisRow& bu, const BasisRow& bv, JetBasis& basis) {
 // respect to its control points.
 class SpanModel {
  public:
-  SpanModel(const BasisRow& bu, const BasisRow& bv) {
+  SpanModel(const BasisRow& bu, const BasisRow& bv, std::size_t points) {
     const Index count = bu.values.cols() * bv.values.cols();
     basis_.resize(9, count);
-    values_.resize(0, count);
+    values_.resize(static_cast<Index>(points), count);
+    projections_.resize(9, values_.rows());
   }
 
-  void add(const GridPoint& qu,
-           const GridPoint& qv,
-           const Jet& jet,
-           const ShapeEnergy& energy,
-           Index pointsLeft) {
-    addTangential(qu, qv, jet, pointsLeft);
+  void add(const GridPoint& qu, const GridPoint& qv, const Jet& jet, const ShapeEnergy& energy) {
+    addTangential(qu, qv, jet);
     setJetBasis(qu.basis, qv.basis, basis_);
     const shape_energy::ResidualsWithDerivatives r = energy.linearised(jet);
-    const Index count = r.values.size(), rows = filled_ + count * pointsLeft;
-    if (jacobian_.rows() < rows) {
-      jacobian_.conservativeResize(rows, 3 * basis_.cols());
-      residuals_.conservativeResize(rows);
+    const Index count = r.values.size();
+    if (filled_ == 0) {
+      jacobian_.resize(count * values_.rows(), 3 * basis_.cols());
+      residuals_.resize(jacobian_.rows());
     }
     const double scale = std::sqrt(qu.weight * qv.weight);
     for (Index k = 0; k < count; ++k, ++filled_) {
@@ -77,12 +71,8 @@ class SpanModel {
   }
 
   // Basis functions, and the weighted projection onto the tangent plane.
-  void addTangential(const GridPoint& qu, const GridPoint& qv, const Jet& jet, Index pointsLeft) {
-    if (values_.rows() == 0) {
-      values_.resize(pointsLeft, values_.cols());
-      projections_.resize(9, pointsLeft);
-    }
-    const Index k = values_.rows() - pointsLeft, kv = qv.basis.values.cols();
+  void addTangential(const GridPoint& qu, const GridPoint& qv, const Jet& jet) {
+    const Index k = placed_++, kv = qv.basis.values.cols();
     for (Index i = 0; i < qu.basis.values.cols(); ++i)
       values_.row(k).segment(i * kv, kv) = qu.basis.values(0, i) * qv.basis.values.row(0);
     const Eigen::Vector3d normal = jet.col(0).cross(jet.col(1)).normalized();
@@ -132,7 +122,7 @@ class SpanModel {
   JetBasis basis_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian_;
   Eigen::VectorXd residuals_;
-  Index filled_ = 0;
+  Index placed_ = 0, filled_ = 0;  // points, residuals
 };
 
 // A patch and its span, counted along u and v.
@@ -173,13 +163,6 @@ struct PatchGrid {
   GridLine u, v;
   std::vector<Jet> jets;
 };
-
-template <class Work>
-void inParallel(std::size_t count, const Work& work) {
-  parallelFor(threadsOfMachine(), static_cast<int>(count), [&](int k) {
-    work(static_cast<std::size_t>(k));
-  });
-}
 
 std::vector<PatchGrid> gridsOf(const std::vector<BsplineSurface>& patches,
                                const QuadratureRule& rule) {
@@ -226,23 +209,23 @@ std::vector<ShapeElement> elementsOf(const layout::PatchLayout& layout,
   return elements;
 }
 
-// Calls add(model, qu, qv, jet, points left in the span) at every point.
-template <class Add>
-SpanModel modelOf(const SpanPoints& at, const Add& add) {
-  SpanModel model(at.u[0].basis, at.v[0].basis);
-  std::size_t left = at.u.size() * at.v.size();
+SpanModel modelOf(const SpanPoints& at) {
+  return {at.u[0].basis, at.v[0].basis, at.u.size() * at.v.size()};
+}
+
+ShapeElement linearisationOf(const SpanPoints& at, const ShapeEnergy& energy, double pinning) {
+  SpanModel model = modelOf(at);
   for (std::size_t i = 0; i < at.u.size(); ++i)
-    for (std::size_t j = 0; j < at.v.size(); ++j, --left)
-      add(model, at.u[i], at.v[j], at.jet(i, j), static_cast<Index>(left));
-  return model;
+    for (std::size_t j = 0; j < at.v.size(); ++j) model.add(at.u[i], at.v[j], at.jet(i, j), energy);
+  return model.finish(pinning);
 }
 
 ShapeElement tangentialOf(const SpanPoints& at) {
-  const auto add =
-      [](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
-        model.addTangential(u, v, jet, left);
-      };
-  return modelOf(at, add).tangential();
+  SpanModel model = modelOf(at);
+  for (std::size_t i = 0; i < at.u.size(); ++i)
+    for (std::size_t j = 0; j < at.v.size(); ++j)
+      model.addTangential(at.u[i], at.v[j], at.jet(i, j));
+  return model.tangential();
 }
 
 // With all second derivatives.
@@ -286,12 +269,8 @@ std::vector<ShapeElement> assembleShapeEnergy(const layout::PatchLayout& layout,
                                               const ShapeEnergy& energy,
                                               const QuadratureRule& rule,
                                               double pinning) {
-  const auto add =
-      [&](SpanModel& model, const GridPoint& u, const GridPoint& v, const Jet& jet, Index left) {
-        model.add(u, v, jet, energy, left);
-      };
   return elementsOf(layout, patches, rule, [&](const SpanPoints& at) {
-    return modelOf(at, add).finish(pinning);
+    return linearisationOf(at, energy, pinning);
   });
 }
 

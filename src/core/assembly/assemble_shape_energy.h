@@ -23,11 +23,11 @@ struct ShapeElement {
 /// The points of each element, in the order of the elements.
 [[nodiscard]] std::vector<std::vector<int>> spanPoints(const layout::PatchLayout& layout);
 
-/// One element a span, the same with any number of threads, by Gauss-Legendre with `points` a span
-/// and direction; 0 = the degree there, which leaves no zero modes but the energy's own and is good
-/// to 1e-3 of a shape that its spans can write. The patches lie on the layout's knots. Not finite
-/// where a normal vanishes. `pinning` adds  1/2 pinning * integral |d - (d . n) n|^2 du dv  to the
-/// model: the energy does not see displacements along the surface.
+/// One element a span, the same with any number of threads. The rule's default, Gauss-Legendre with
+/// as many points a span and direction as the degree there, leaves no zero modes but the energy's
+/// own and is good to 1e-3 of a shape that its spans can write. The patches lie on the layout's
+/// knots. Not finite where a normal vanishes. `pinning` adds  1/2 pinning * integral |d - (d . n)
+/// n|^2 du dv  to the model: the energy does not see displacements along the surface.
 [[nodiscard]] std::vector<ShapeElement> assembleShapeEnergy(
     const layout::PatchLayout& layout,
     const std::vector<spline::BsplineSurface>& patches,

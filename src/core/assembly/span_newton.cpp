@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/assembly/span_newton.h"
 
-#include <array>
-
 #include "core/base/assert.h"
 
 // With the basis functions U_i V_j, jet columns (a, b) and (c, d), coordinates x and y:
@@ -17,37 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using shape_energy::DensityHessian;
 
-// Column of the jet that is the derivative (a, b), or -1.
-constexpr int jetColumn(int a, int b) {
-  for (int k = 0; k < 9; ++k)
-    if (spline::kJetOrders[k][0] == a && spline::kJetOrders[k][1] == b) return k;
-  return -1;
-}
-
-struct ColumnPair {
-  int b, d, first, second;  // orders along v, columns of the jet
-};
-struct OrderPair {
-  int a = 0, c = 0;  // orders along u
-  int count = 0;
-  ColumnPair columns[9] = {};
-};
-
-constexpr std::array<OrderPair, 10> listPairs() {
-  std::array<OrderPair, 10> all;
-  std::size_t place = 0;
-  for (int a = 0; a < 4; ++a)
-    for (int c = a; c < 4; ++c, ++place) {
-      all[place].a = a;
-      all[place].c = c;
-      for (int b = 0; b < 4; ++b)
-        for (int d = 0; d < 4; ++d)
-          if (jetColumn(a, b) >= 0 && jetColumn(c, d) >= 0)
-            all[place].columns[all[place].count++] = {b, d, jetColumn(a, b), jetColumn(c, d)};
-    }
-  return all;
-}
-constexpr std::array<OrderPair, 10> kOrderPairs = listPairs();
+constexpr auto kJetPairs = spline::jetPairs(false);
 
 // Products of derivatives a and c of all pairs of functions: the second one runs faster.
 Eigen::VectorXd products(const spline::BasisRow& row, int a, int c) {
@@ -67,15 +35,15 @@ SpanNewton::SpanNewton(std::span<const spline::GridPoint> u, std::span<const spl
       pointsV_(static_cast<Index>(v.size())),
       alongU_(countU_ * countU_, pointsU_ * kPairs) {
   for (Index place = 0; place < kPairs; ++place) {
-    const OrderPair& orders = kOrderPairs[static_cast<std::size_t>(place)];
+    const spline::JetPairs& orders = kJetPairs[static_cast<std::size_t>(place)];
     for (Index p = 0; p < pointsU_; ++p)
       alongU_.col(p * kPairs + place) =
           products(u[static_cast<std::size_t>(p)].basis, orders.a, orders.c);
     MatrixXd all(countV_ * countV_, pointsV_ * orders.count);
     for (Index q = 0; q < pointsV_; ++q)
       for (Index m = 0; m < orders.count; ++m)
-        all.col(q * orders.count + m) = products(
-            v[static_cast<std::size_t>(q)].basis, orders.columns[m].b, orders.columns[m].d);
+        all.col(q * orders.count + m) =
+            products(v[static_cast<std::size_t>(q)].basis, orders.pairs[m].b, orders.pairs[m].d);
     alongV_.push_back(std::move(all));
   }
 }
@@ -85,14 +53,14 @@ MatrixXd SpanNewton::hessian(const std::vector<DensityHessian>& atPoints) const 
   const Index pairsV = countV_ * countV_, size = 3 * countU_ * countV_;
   MatrixXd inner(pairsV * 9, pointsU_ * kPairs);  // (j, l, x, y) by (p, pair of orders)
   for (Index place = 0; place < kPairs; ++place) {
-    const OrderPair& orders = kOrderPairs[static_cast<std::size_t>(place)];
+    const spline::JetPairs& orders = kJetPairs[static_cast<std::size_t>(place)];
     const double share = orders.a == orders.c ? 0.5 : 1.0;
     MatrixXd entries(pointsV_ * orders.count, 9);
     for (Index p = 0; p < pointsU_; ++p) {
       for (Index q = 0; q < pointsV_; ++q)
         for (Index m = 0; m < orders.count; ++m) {
           const auto& at = atPoints[static_cast<std::size_t>(p * pointsV_ + q)];
-          const ColumnPair& columns = orders.columns[m];
+          const spline::JetPair& columns = orders.pairs[m];
           const Eigen::Matrix3d block =
               share * at.block<3, 3>(3 * columns.first, 3 * columns.second);
           entries.row(q * orders.count + m) =

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/shape_energy/shape_energy.h"
-#include "core/spline/surface_grid.h"
+#include "core/spline/jet_pairs.h"
 
 namespace fairing::assembly {
 
@@ -24,11 +24,11 @@ class SpanNewton {
       const std::vector<shape_energy::DensityHessian>& atPoints) const;
 
  private:
-  static constexpr int kPairs = 10;  // of orders (a, c) along u, a <= c
+  static constexpr int kPairs = spline::kOrderPairs;
   Eigen::Index countU_, countV_, pointsU_, pointsV_;
-  std::vector<Eigen::MatrixXd>
-      alongV_;              // a pair of orders each: (j, l) by (q, pair of jet columns)
-  Eigen::MatrixXd alongU_;  // (i, k) by (q, pair of orders)
+  // A pair of orders each: (j, l) by (q, pair of jet columns).
+  std::vector<Eigen::MatrixXd> alongV_;
+  Eigen::MatrixXd alongU_;  // (i, k) by (p, pair of orders)
 };
 
 }  // namespace fairing::assembly

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <thread>
 #include <vector>
 
@@ -23,6 +24,14 @@ void parallelFor(int threads, int count, const Work& work) {
   std::vector<std::jthread> crew;
   for (int t = 1; t < std::min(threads, count); ++t) crew.emplace_back(takeWhatIsLeft);
   takeWhatIsLeft();
+}
+
+/// The same for every place of a container, on as many threads as the machine runs at once.
+template <class Work>
+void inParallel(std::size_t count, const Work& work) {
+  parallelFor(threadsOfMachine(), static_cast<int>(count), [&](int k) {
+    work(static_cast<std::size_t>(k));
+  });
 }
 
 }  // namespace fairing

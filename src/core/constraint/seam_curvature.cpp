@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/constraint/across.h"
 #include "core/constraint/seam_rows.h"
@@ -76,7 +77,8 @@ class CurvedSeam {
  public:
   CurvedSeam(const PatchLayout& layout, const Seam& seam)
       : seam_(seam),
-        knots_(seamRows(layout, seam).knots),
+        knots_(layout::edgeKnots(layout.patches[std::size_t(seam.first)], seam.firstEdge)
+                   .mapped(0.0, 1.0)),
         first_(sideOf(layout.patches[std::size_t(seam.first)],
                       seam.firstEdge,
                       {rowInFirst(layout, seam, 0),

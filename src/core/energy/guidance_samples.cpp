@@ -115,8 +115,8 @@ void addLookedUp(const Guidance& g,
     const std::size_t first = samples.size();
     samples.insert(samples.end(), places.begin(), places.end());
     // Nearest points are dear to look up.
-    parallelFor(threadsOfMachine(), static_cast<int>(places.size()), [&](int k) {
-      WeightedSample& s = samples[first + static_cast<std::size_t>(k)];
+    inParallel(places.size(), [&](std::size_t k) {
+      WeightedSample& s = samples[first + k];
       s.kind = kind;
       s.guide = weighted(guideAt(current.evaluate(s.u, s.v)), g);
     });

@@ -96,9 +96,7 @@ void ArrowFactor::eliminate(const Sparse& matrix, Block& block) const {
 }
 
 bool ArrowFactor::factorize(const Sparse& matrix) {
-  parallelFor(threadsOfMachine(), static_cast<int>(blocks_.size()), [&](int k) {
-    eliminate(matrix, blocks_[at(k)]);
-  });
+  inParallel(blocks_.size(), [&](std::size_t k) { eliminate(matrix, blocks_[k]); });
   const auto count = static_cast<Index>(border_.size());
   lower_.setZero(count, count);
   for (Index c = 0; c < count; ++c)

@@ -2,7 +2,6 @@
 #include "core/solver/free_matrix.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -26,14 +25,17 @@ MatrixXd timesSparse(const MatrixXd& left, const Sparse& right) {
   return result;
 }
 
+void sortOnce(std::vector<int>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 // A matrix of noughts in the rows of each column, which come in any order and more than once.
 Sparse noughts(std::vector<std::vector<int>> columns) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    std::vector<int>& rows = columns[c];
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    for (const int row : rows) entries.emplace_back(row, static_cast<int>(c), 0.0);
+    sortOnce(columns[c]);
+    for (const int row : columns[c]) entries.emplace_back(row, static_cast<int>(c), 0.0);
   }
   Sparse result(static_cast<Index>(columns.size()), static_cast<Index>(columns.size()));
   result.setFromTriplets(entries.begin(), entries.end());
@@ -69,20 +71,17 @@ FreeMatrix::FreeMatrix(const Sparse& freedom, const std::vector<std::vector<int>
 
 FreeMatrix::Element FreeMatrix::elementOf(const RowMajor& rows, const std::vector<int>& points) {
   Element element;
-  std::map<int, int> column;  // of the unknowns
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const bool isNumbered : {false, true}) {
-    for (std::size_t k = 0; k < 3 * points.size(); ++k)
-      for (RowMajor::InnerIterator it(rows, 3 * points[k / 3] + static_cast<int>(k % 3)); it; ++it)
-        if (isNumbered)
-          entries.emplace_back(static_cast<int>(k), column[static_cast<int>(it.col())], it.value());
-        else
-          column[static_cast<int>(it.col())];
-    for (auto& [unknown, number] : column)
-      if (!isNumbered) {
-        number = static_cast<int>(element.unknowns.size());
-        element.unknowns.push_back(unknown);
-      }
+  std::vector<Eigen::Triplet<double>> entries;  // in the columns of T
+  for (std::size_t k = 0; k < 3 * points.size(); ++k)
+    for (RowMajor::InnerIterator it(rows, 3 * points[k / 3] + static_cast<int>(k % 3)); it; ++it) {
+      entries.emplace_back(static_cast<int>(k), static_cast<int>(it.col()), it.value());
+      element.unknowns.push_back(static_cast<int>(it.col()));
+    }
+  sortOnce(element.unknowns);
+  const auto& unknowns = element.unknowns;
+  for (auto& entry : entries) {
+    const auto column = std::lower_bound(unknowns.begin(), unknowns.end(), entry.col());
+    entry = {entry.row(), static_cast<int>(column - unknowns.begin()), entry.value()};
   }
   element.basis.resize(3 * static_cast<Index>(points.size()),
                        static_cast<Index>(element.unknowns.size()));
@@ -98,10 +97,7 @@ MatrixXd FreeMatrix::reduced(const Element& element, const MatrixXd& matrix) {
 Sparse FreeMatrix::sum(const std::vector<MatrixXd>& elements) const {
   FAIRING_ASSERT(elements.size() == elements_.size());
   std::vector<MatrixXd> all(elements.size());
-  parallelFor(threadsOfMachine(), static_cast<int>(all.size()), [&](int k) {
-    const auto at = static_cast<std::size_t>(k);
-    all[at] = reduced(elements_[at], elements[at]);
-  });
+  inParallel(all.size(), [&](std::size_t k) { all[k] = reduced(elements_[k], elements[k]); });
   Sparse result = pattern_;
   for (std::size_t k = 0; k < all.size(); ++k) addTo(result, elements_[k].unknowns, all[k]);
   return result;

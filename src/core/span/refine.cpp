@@ -130,8 +130,7 @@ std::vector<double> wideOpen(const analysis::SeamReport& seam,
   if (seam.crease) return places;
   if (!isBlend && seam.angle.max > limit) places.push_back(seam.angle.parameter);
   for (const analysis::AnglePlace& place : seam.angleCurve) {
-    const bool jumps =
-        seam.asked == Continuity::G2 && place.curvature > aim * report.curvatureLimit;
+    const bool jumps = seam.asksCurvature() && place.curvature > aim * report.curvatureLimit;
     if (jumps || (isBlend && place.angle > limit)) places.push_back(place.t);
   }
   return places;

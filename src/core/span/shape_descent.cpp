@@ -81,9 +81,10 @@ struct ShapeDescent::Model {
 };
 
 struct ShapeDescent::Place {
-  const solver::Points& points;
+  solver::Points points;
   Patches patches;
-  double sum;  // of energy and anchor
+  double energy, anchor;
+  [[nodiscard]] double sum() const { return energy + anchor; }
 };
 
 struct ShapeDescent::Trial {
@@ -129,6 +130,19 @@ double ShapeDescent::anchorAt(const solver::Points& points) const {
   return 0.5 * anchorWeight_ * sum / scale_;
 }
 
+ShapeDescent::Place ShapeDescent::placeAt(const solver::Points& points) {
+  Stopwatch watch;
+  Place place{points, makePatches(layout_, points), 0.0, anchorAt(points)};
+  place.energy = assembly::shapeEnergyOf(place.patches, energy_, quadrature_);
+  times_.evaluation += watch.lap();
+  return place;
+}
+
+// The factor is of the displacement's pattern, too, whatever its weight.
+solver::Sparse ShapeDescent::damped(const Model& model, double damping) const {
+  return model.hessian + damping / (size_ * size_) * displacement_;
+}
+
 ShapeDescent::Model ShapeDescent::modelOf(std::vector<assembly::ShapeElement> elements,
                                           const solver::Points& points) const {
   const solver::Points off = points - start_;
@@ -159,16 +173,11 @@ std::optional<ShapeDescent::Trial> ShapeDescent::tried(const solver::Sparse& mat
   times_.factorisation += watch.lap();
   if (!isDefinite) return std::nullopt;
   const VectorXd moved = freedom_ * free;
-  Trial trial;
-  trial.points = from.points + Eigen::Map<const solver::Points>(moved.data(), moved.size() / 3, 3);
-  trial.step = {.fell = true,
-                .before = from.sum,
-                .energy = energyAt(trial.points),
-                .anchor = anchorAt(trial.points)};
-  const double fall = from.sum - (trial.step.energy + trial.step.anchor);
-  const bool isWorse = !(fall > 0.0) || folds(from.patches, makePatches(layout_, trial.points));
-  times_.evaluation += watch.lap();
-  if (isWorse) return std::nullopt;
+  const Place to =
+      placeAt(from.points + Eigen::Map<const solver::Points>(moved.data(), moved.size() / 3, 3));
+  const double fall = from.sum() - to.sum();
+  if (!(fall > 0.0) || folds(from.patches, to.patches)) return std::nullopt;
+  Trial trial{to.points, {true, from.sum(), to.energy, to.anchor}};
   trial.step.length = std::sqrt(3.0 * moved.squaredNorm() / static_cast<double>(moved.size()));
   trial.asExpected =
       -fall * scale_ / (model.gradient.dot(free) + 0.5 * free.dot(model.hessian * free));
@@ -176,25 +185,24 @@ std::optional<ShapeDescent::Trial> ShapeDescent::tried(const solver::Sparse& mat
 }
 
 ShapeStep ShapeDescent::step(solver::Points& points) {
+  const Place from = placeAt(points);
   if (isSlow_) {
-    if (const auto taken = newtonStep(points)) return *taken;
+    if (auto trial = newtonFrom(from)) {
+      points = std::move(trial->points);
+      return trial->step;
+    }
     newtonBelow_ *= kPatience;
   }
   Stopwatch watch;
-  ShapeStep stay{.energy = energyAt(points), .anchor = anchorAt(points)};
-  stay.before = stay.energy + stay.anchor;
-  const Place from{points, makePatches(layout_, points), stay.before};
-  times_.evaluation += watch.lap();
   const Model model = modelOf(
       assembly::assembleShapeEnergy(layout_, from.patches, energy_, quadrature_, pinning_), points);
   times_.assembly += watch.lap();
   isSlow_ = false;
   for (int k = 0; k < kTrials; ++k) {
-    const auto trial =
-        tried(model.hessian + damping_ / (size_ * size_) * displacement_, model, from);
+    const auto trial = tried(damped(model, damping_), model, from);
     if (trial) {
-      const double fall = stay.before - (trial->step.energy + trial->step.anchor);
-      isSlow_ = !anchor_.empty() && damping_ == 0.0 && fall < newtonBelow_ * stay.before;
+      const double fall = from.sum() - (trial->step.energy + trial->step.anchor);
+      isSlow_ = !anchor_.empty() && damping_ == 0.0 && fall < newtonBelow_ * from.sum();
       if (anchor_.empty() || trial->asExpected > kGoodModel)
         damping_ = damping_ > kFirstDamping ? kRelief * damping_ : 0.0;
       points = trial->points;
@@ -202,16 +210,19 @@ ShapeStep ShapeDescent::step(solver::Points& points) {
     }
     damping_ = damping_ == 0.0 ? kFirstDamping : kDampingFactor * damping_;
   }
-  return stay;
+  return {false, from.sum(), from.energy, from.anchor};
+}
+
+std::optional<ShapeDescent::Trial> ShapeDescent::newtonFrom(const Place& from) {
+  Stopwatch watch;
+  const Model model = modelOf(
+      assembly::expandShapeEnergy(layout_, from.patches, energy_, quadrature_), from.points);
+  times_.assembly += watch.lap();
+  return tried(damped(model, 0.0), model, from);
 }
 
 std::optional<ShapeStep> ShapeDescent::newtonStep(solver::Points& points) {
-  Stopwatch watch;
-  const Place from{points, makePatches(layout_, points), energyAt(points) + anchorAt(points)};
-  const Model model =
-      modelOf(assembly::expandShapeEnergy(layout_, from.patches, energy_, quadrature_), points);
-  times_.assembly += watch.lap();
-  auto trial = tried(model.hessian + 0.0 * displacement_, model, from);
+  auto trial = newtonFrom(placeAt(points));
   if (!trial) return std::nullopt;
   points = std::move(trial->points);
   return trial->step;

@@ -39,8 +39,7 @@ struct StageTimes {
 class ShapeDescent {
  public:
   /// `start`: points that the anchor holds; `size`: the hole's, mm; `quadrature`: 0 points = chosen
-  /// from the degree. The layout and the energy have
-  /// to outlive it.
+  /// from the degree. The layout and the energy have to outlive it.
   ShapeDescent(const layout::PatchLayout& layout,
                const shape_energy::ShapeEnergy& energy,
                const solver::QuadraticProgram& program,
@@ -66,6 +65,9 @@ class ShapeDescent {
   struct Place;
   struct Trial;
 
+  [[nodiscard]] Place placeAt(const solver::Points& points);
+  [[nodiscard]] solver::Sparse damped(const Model& model, double damping) const;
+  [[nodiscard]] std::optional<Trial> newtonFrom(const Place& from);
   [[nodiscard]] Model modelOf(std::vector<assembly::ShapeElement> elements,
                               const solver::Points& points) const;
   [[nodiscard]] std::optional<Trial> tried(const solver::Sparse& matrix,

@@ -55,6 +55,11 @@ std::vector<QuadraturePoint> rule(int n) {
 
 }  // namespace
 
+QuadratureRule QuadratureRule::orPoints(int gaussPoints) const {
+  if (points > 0) return *this;
+  return {gaussPoints + (family == QuadratureFamily::Lobatto ? 1 : 0), family};
+}
+
 std::vector<QuadraturePoint> gaussLegendre(int n, double a, double b) {
   std::vector<QuadraturePoint> points = rule(n);
   for (QuadraturePoint& q : points)

@@ -20,6 +20,9 @@ enum class QuadratureFamily {
 struct QuadratureRule {
   QuadratureRule(int ofPoints = 0, QuadratureFamily ofFamily = QuadratureFamily::Gauss)  // NOLINT
       : points(ofPoints), family(ofFamily) {}
+  /// The same, where its number of points was left open as good as so many Gauss points: Lobatto's
+  /// order is that of one less.
+  [[nodiscard]] QuadratureRule orPoints(int gaussPoints) const;
 
   int points;
   QuadratureFamily family;

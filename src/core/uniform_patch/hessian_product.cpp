@@ -1,51 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/uniform_patch/hessian_product.h"
 
-#include "core/spline/surface_grid.h"
-
 namespace fairing::uniform_patch {
 namespace {
 
-// Column of the jet that is the derivative (a, b), or -1.
-constexpr int jetColumn(int a, int b) {
-  for (int k = 0; k < 9; ++k)
-    if (spline::kJetOrders[k][0] == a && spline::kJetOrders[k][1] == b) return k;
-  return -1;
-}
-
-// A pair of derivatives: both orders along v, both columns of the jet.
-struct OrderPair {
-  int b, d, k, l;
-};
-// Those of one pair of orders (a, c) along u, a <= c.
-struct OrderPairs {
-  int a = 0, c = 0;
-  int count = 0;
-  OrderPair pairs[9] = {};
-};
-
-constexpr std::array<OrderPairs, HessianBasis::kPairs> listPairs() {
-  std::array<OrderPairs, HessianBasis::kPairs> all;
-  std::size_t place = 0;
-  for (int a = 0; a < 4; ++a)
-    for (int c = a; c < 4; ++c, ++place) {
-      all[place].a = a;
-      all[place].c = c;
-      for (int b = 0; b < 4; ++b)
-        for (int d = 0; d < 4; ++d)
-          if ((a < c || b <= d) && jetColumn(a, b) >= 0 && jetColumn(c, d) >= 0)
-            all[place].pairs[all[place].count++] = {b, d, jetColumn(a, b), jetColumn(c, d)};
-    }
-  return all;
-}
-constexpr auto kOrderPairs = listPairs();
+constexpr auto kJetPairs = spline::jetPairs(true);
 
 }  // namespace
 
 HessianBasis::HessianBasis(const SpanQuadrature& quadrature)
     : points(quadrature.n), u(16, quadrature.n * kPairs) {
   for (std::size_t place = 0; place < kPairs; ++place) {
-    const OrderPairs& orders = kOrderPairs[place];
+    const spline::JetPairs& orders = kJetPairs[place];
     v[place].resize(16, points * orders.count);
     for (int q = 0; q < points; ++q) {
       const Eigen::Matrix4d& rows = quadrature.rows[std::size_t(q)];
@@ -72,9 +38,9 @@ HessianProduct::HessianProduct(const HessianBasis& basis)
 
 void HessianProduct::set(int q, const std::array<Lanes, 405>& hessian) {
   for (std::size_t place = 0; place < line_.size(); ++place) {
-    const OrderPairs& orders = kOrderPairs[place];
+    const spline::JetPairs& orders = kJetPairs[place];
     for (int m = 0; m < orders.count; ++m) {
-      const int k = orders.pairs[m].k, l = orders.pairs[m].l;
+      const int k = orders.pairs[m].first, l = orders.pairs[m].second;
       const Lanes* block = &hessian[std::size_t(
           9 * BlendingDerivatives<Lanes>::blockIndex(std::max(k, l), std::min(k, l)))];
       double* to = line_[place].row(q * orders.count + m).data();

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/spline/jet_pairs.h"
 #include "core/uniform_patch/blending_integrand.h"
 #include "core/uniform_patch/span_quadrature.h"
 
@@ -17,7 +18,7 @@ namespace fairing::uniform_patch {
 /// Derivatives with respect to (a, b) along (u, v) are sorted by a; a pair of orders (a, a'),
 /// a <= a', has several pairs of orders along v.
 struct HessianBasis {
-  static constexpr int kPairs = 10;
+  static constexpr int kPairs = spline::kOrderPairs;
   explicit HessianBasis(const SpanQuadrature& quadrature);
 
   int points;                             ///< of one direction
