@@ -22,16 +22,20 @@ def test_a_script_runs_once_with_its_arguments_and_prints(tmp_path):
     assert (done.returncode, done.stdout) == (0, "['a b', 'c'] 0\n")
 
 
-@pytest.mark.parametrize("script, status, words", [
-    ("assert 1 == 2, 'no'", 1, "AssertionError: no"),
-    ("import sys; sys.exit(5)", 5, ""),
-    ("import sys; sys.exit('because')", 1, "because"),
-    ("import ctypes; ctypes.string_at(0)", 1, "Segmentation fault"),
-    ("def broken(:", 1, "SyntaxError"),
+# FreeCAD 0.20.2 answers a crash with exit(1), which may itself crash among the destructors: 128 + SIGSEGV.
+CRASHED = {1, 139}
+
+
+@pytest.mark.parametrize("script, statuses, words", [
+    ("assert 1 == 2, 'no'", {1}, "AssertionError: no"),
+    ("import sys; sys.exit(5)", {5}, ""),
+    ("import sys; sys.exit('because')", {1}, "because"),
+    ("import ctypes; ctypes.string_at(0)", CRASHED, "Segmentation fault"),
+    ("def broken(:", {1}, "SyntaxError"),
 ])
-def test_a_failure_has_its_status_and_its_reason(tmp_path, script, status, words):
+def test_a_failure_has_its_status_and_its_reason(tmp_path, script, statuses, words):
     done = run(tmp_path, script)
-    assert done.returncode == status
+    assert done.returncode in statuses
     assert done.stdout.count(words) >= 1
 
 
