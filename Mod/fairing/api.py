@@ -72,7 +72,7 @@ def curvature_picture(shape: Part.Shape, quantity: str = "mean", *, faces: Itera
     quantity   "mean" (H, 1/mm), "gauss" (K, 1/mm^2), "k1", "k2" (the principal curvatures, k1 >= k2, 1/mm) or
                "mean-gradient" (|grad H|, 1/mm^2); positive where a face bends towards its normal
     faces      "Face3" or 3; none: all
-    divisions  edges of triangles are no longer than the diagonal of the faces over it
+    divisions  edges of triangles are no longer than the diagonal of the faces over it, up to some 200 000 points a face
     Raises ValueError for another quantity, FairingError for a face that is not there.
     """
     column = QUANTITIES.index(quantity)
@@ -108,8 +108,7 @@ def fill_all(shape: Part.Shape, *, skipped: Iterable[subelements.Pick] = (),
     A hole that cannot be filled leaves the others alone: its report is {"edges": ["Edge7", ...], "error": sentence}.
     Raises FairingError where none can be filled.
     """
-    request = FillAllRequest.of(skipped, reference=exchange.data_of(reference) if reference else None,
-                                guide=guide_text(guide), **options)
+    request = FillAllRequest.of(skipped, **_guidance(reference, guide), **options)
     done = request.solve(exchange.data_of(shape))
     reports = [dict(hole.fill.report if hole.fill else {"error": hole.error},
                     edges=[f"Edge{number}" for number in hole.edges]) for hole in done.holes]
@@ -171,9 +170,8 @@ def edit(shape: Part.Shape, face: subelements.Pick, *, reference: Optional[Part.
     Raises FairingError with one sentence where that cannot be done.
     """
     number, = subelements.face_numbers(_face_names(face)) or (0,)
-    done = EditRequest(face=number, energy=energy, lambda_=lambda_, gamma=gamma,
-                       reference=exchange.data_of(reference) if reference else None, guide=guide_text(guide), keep=keep,
-                       degree=degree, spans=spans, result=result).solve(exchange.data_of(shape))
+    done = EditRequest(face=number, energy=energy, lambda_=lambda_, gamma=gamma, keep=keep, degree=degree, spans=spans,
+                       result=result, **_guidance(reference, guide)).solve(exchange.data_of(shape))
     return exchange.part_shape(done.brep()), done.report
 
 
@@ -197,9 +195,7 @@ def report(shape: Part.Shape, patches: Part.Shape, edges: Iterable[subelements.P
 
 def _blend_request(from_edges, to_edges, *, edge_continuity=None, pairs=(), reference=None, guide=(),
                    **options) -> BlendRequest:
-    return BlendRequest.of(from_edges, to_edges, edge_continuity, pairs,
-                           reference=exchange.data_of(reference) if reference else None, guide=guide_text(guide),
-                           **options)
+    return BlendRequest.of(from_edges, to_edges, edge_continuity, pairs, **_guidance(reference, guide), **options)
 
 
 def _compared(request, shape: Part.Shape, energies: Iterable[str]) -> list[dict]:
@@ -212,8 +208,13 @@ def _compared(request, shape: Part.Shape, energies: Iterable[str]) -> list[dict]
 def _fill_request(edges, *, faces=(), edge_continuity=None, reference=None, guide=(), through=(),
                   **options) -> FillRequest:
     return FillRequest.of(_edge_names(edges) + _face_names(faces), edge_continuity,
-                          reference=exchange.data_of(reference) if reference else None, guide=guide_text(guide),
+                          **_guidance(reference, guide),
                           through=tuple(_through(item) for item in through), **options)
+
+
+def _guidance(reference: Optional[Part.Shape], guide) -> dict:
+    """As requests have it."""
+    return {"reference": exchange.data_of(reference) if reference else None, "guide": guide_text(guide)}
 
 
 def _through(item):

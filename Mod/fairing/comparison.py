@@ -37,5 +37,5 @@ def largest_angle(report: dict) -> float:
     return max(report["largest_angle"], report["largest_corner_angle"])
 
 
-def asks_for_curvature(report: Optional[dict]) -> bool:
-    return any(side["asked"] == "G2" for side in (report or {}).get("sides", ()))
+def asks_for_curvature(report: dict) -> bool:
+    return any(side["asked"] == "G2" for side in report["sides"])

@@ -107,6 +107,12 @@ def press(kind):
     raise AssertionError(f"no button {kind} to press")
 
 
+def ok():
+    """OK, and the panel has closed."""
+    press("Ok")
+    wait_for(lambda: not panel_is_open(), "OK")
+
+
 def action_is_enabled(name):
     pump(0.5)  # FreeCAD looks at its commands every 300 ms
     actions = [action for action in Gui.getMainWindow().findChildren(QtGui.QAction) if action.objectName() == name]

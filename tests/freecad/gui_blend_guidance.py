@@ -53,8 +53,7 @@ gui.wait_for_verdict("Meets all 2 edges")
 assert angles_to_guide()[0] < 0.7 * start[0], (start, angles_to_guide())
 
 # OK is one step to undo; redone and edited again, a handle without weight is as if it were not there.
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 blend = document.Blend
 assert document.UndoNames == ["Blend faces"] and len(blend.Guides) == 1 and blend.isValid() and blend.WithinTolerance
 guided = blend.Shape.CenterOfMass
@@ -68,17 +67,23 @@ gui.wait_for_verdict("Meets all 2 edges")
 gui.widget("guideList").setCurrentRow(0)
 gui.widget("weightSpin").setValue(0.0)
 gui.wait_for_verdict("Meets all 2 edges")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 weightless = [face.copy() for face in blend.Shape.Faces]
 Gui.ActiveDocument.setEdit("Blend")
 gui.wait_for_verdict("Meets all 2 edges")
 gui.widget("guideList").setCurrentRow(0)
 gui.widget("guideRemoveButton").click()
 gui.wait_for_verdict("Meets all 2 edges")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert blend.Guides == [] and not document.findObjects("App::FeaturePython")
 for before, after in zip(weightless, blend.Shape.Faces):
     assert before.Surface.getPoles() == after.Surface.getPoles(), "a handle without weight changes nothing"
+
+# What only the property asks for is solved in the panel, too.
+blend.InnerContinuity = "G2"
+document.recompute()
+Gui.ActiveDocument.setEdit("Blend")
+gui.wait_for_verdict("Meets all 2 edges")
+assert panels[-1]._session.asked()[0].inner_continuity == "G2"
+gui.press("Cancel")
 print("passed")

@@ -68,8 +68,7 @@ assert gui.widget("energyCombo").currentIndex() == chosen
 gui.widget("useButton").click()
 gui.wait_for_verdict()
 assert gui.widget("energyCombo").currentText() == "Minimum variation"
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert document.Fill.Energy == "minimum-variation" and document.Fill.isValid()
 
 # Closed without using any: all is as before. Stopped: what is there stays.
@@ -91,6 +90,13 @@ assert filled_rows() < 6
 gui.widget("allG2Button").click()  # another question: nothing to compare any more
 gui.settle()
 assert panels[-1]._comparison is None
+
+# Neither is there when a guide moves the surface at once.
+gui.widget("compareButton").click()
+assert panels[-1]._comparison is not None and panels[-1]._kept is not None
+panels[-1]._guidance.place((0, 0, RADIUS), (0.2, 0, 1))
+assert panels[-1]._comparison is None
+gui.settle()
 gui.press("Cancel")
 App.closeDocument(document.Name)
 
@@ -111,7 +117,6 @@ gui.pump(0.2)
 gui.picture("53_compare_blend")
 gui.widget("useButton").click()
 gui.wait_for_verdict()
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert document.Blend.Energy == "total-curvature" and document.Blend.isValid()
 print("passed")

@@ -151,8 +151,7 @@ assert pictures() == 0 and gui.widget("pictureCombo").isVisible() and not gui.wi
 choose("mean-gradient")
 assert float(gui.widget("pictureLow").text()) == 0.0
 gui.picture("47_fill_gradient")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert pictures() == 0 and document.Fill.isValid()
 App.closeDocument(document.Name)
 

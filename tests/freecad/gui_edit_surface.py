@@ -47,8 +47,7 @@ gui.drag(view, tip, foot + App.Vector(0.5, 0, 0.866) * (tip - foot).Length)
 gui.settle()
 assert abs(gui.widget("xSpin").value() - 0.5) < 0.1
 gui.picture("27_edited_face")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 edit = document.Edit
 assert document.UndoNames == ["Edit surface"], document.UndoNames
 assert edit.Shape.ShapeType == "Solid" and edit.Shape.isValid() and edit.LargestMove.Value > 0.1
@@ -74,7 +73,6 @@ Gui.ActiveDocument.setEdit("Edit")
 gui.wait_for_verdict("25 of 81")
 gui.widget("resultCombo").setCurrentIndex(0)
 gui.wait_for_verdict("25 of 81")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert edit.ResultMode == "patches" and edit.Shape.ShapeType == "Face" and len(document.UndoNames) == 2
 print("passed")

@@ -59,8 +59,7 @@ gui.wait_for_verdict("Fills all 4 holes")
 tick(0, False)
 
 # OK: one object, one step to undo.
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 filled = document.FillAll
 assert document.UndoNames == ["Fill all holes"] and filled.isValid() and len(filled.Shape.Faces) == 3
 assert filled.Skipped == [min(loops[0], key=lambda name: int(name[4:]))] and filled.WithinTolerance
@@ -76,8 +75,7 @@ assert table().item(0, 0).checkState() == QtCore.Qt.Unchecked and not filled.Vie
 tick(0, True)
 gui.widget("resultCombo").setCurrentIndex(2)
 gui.wait_for_verdict("Fills all 4 holes")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert filled.Skipped == [] and len(filled.Shape.Faces) == 25 and filled.Shape.isValid()
 assert document.UndoNames[0] == "Edit FillAll" and filled.ViewObject.Visibility
 gui.picture("13_filled_all")

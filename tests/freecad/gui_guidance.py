@@ -93,8 +93,7 @@ gui.widget("xSpin").setValue(0.4)
 gui.wait_for_verdict("Meets all 4 edges")
 
 # OK: the fill and its handle, one step to undo.
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 fill = document.Fill
 handle, = fill.Guides
 assert document.UndoNames == ["Fill hole"] and fill.isValid() and fill.WithinTolerance
@@ -134,8 +133,7 @@ gui.widget("gammaSpin").setValue(1000.0)
 gui.wait_for_verdict("Meets all 4 edges")
 assert "from the reference" in gui.widget("followLabel").text()
 gui.picture("25_reference")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert fill.Guides[0].Direction == (raised, ["Face1"]) and fill.Gamma == 1000.0
 assert fill.Reference == [(raised, ("Face1",))] and fill.isValid()
 steps = len(document.UndoNames)
@@ -145,8 +143,7 @@ gui.widget("guideList").setCurrentRow(0)
 gui.widget("guideRemoveButton").click()
 gui.wait_for_verdict("Meets all 4 edges")
 assert guides() == ["Raised: Face1"]
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert fill.Guides == [] and len(document.UndoNames) == steps + 1
 assert not document.findObjects("App::FeaturePython")
 
@@ -163,8 +160,7 @@ gui.widget("directionButton").click()
 Gui.Selection.addSelection(document.Name, "Raised", "Face1")
 gui.wait_for(lambda: not gui.widget("directionButton").isChecked(), "the face to be taken")
 gui.wait_for_verdict("Meets all 4 edges")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 curve, = fill.Guides
 assert curve.Faces == [(raised, ("Face1",))] and len(curve.Points) > 1 and fill.isValid()
 gui.picture("26_curve")

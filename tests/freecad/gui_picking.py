@@ -98,8 +98,7 @@ gui.widget("lambdaSlider").setValue(300)
 gui.wait_for(lambda: gui.widget("lambdaSpin").value() > 1.0, "the weight")
 gui.wait_for_verdict()
 gui.picture("9_guided")
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 fill = document.Fill
 assert fill.Reference == [(other, ("Face1",))] and fill.Lambda > 1.0 and fill.isValid()
 

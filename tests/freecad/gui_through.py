@@ -54,8 +54,7 @@ gui.widget("throughList").setCurrentRow(1)
 gui.widget("throughRemoveButton").click()
 gui.settle()
 assert rows() == ["Point: Vertex1"]
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 fill = document.Fill
 assert [(obj.Name, names) for obj, names in fill.Through] == [("Point", ("Vertex1",))], fill.Through
 assert fill.isValid(), fill.Verdict
@@ -67,7 +66,6 @@ gui.widget("throughRemoveButton").click()
 gui.settle()
 pick("Wire")
 assert rows() == ["Wire"]
-gui.press("Ok")
-gui.wait_for(lambda: not gui.panel_is_open(), "OK")
+gui.ok()
 assert [obj.Name for obj, _ in fill.Through] == ["Wire"] and fill.isValid()
 print("passed")

@@ -9,6 +9,7 @@ from typing import Any, Callable, Optional
 from PySide import QtCore
 
 POLL_INTERVAL = 15  # ms
+LONGEST_STOP = 0.1  # s closing waits for a job that was told to stop; then it ends by itself, unheard
 
 Job = Callable[[Any], Any]  # takes a native Progress; works on plain data only: no document, no widget, no scene
 
@@ -54,12 +55,12 @@ class BackgroundSolver(QtCore.QObject):
         self._running.take_best()
         return True
 
-    def finish(self, seconds: float) -> None:
-        """Cancels for good and waits at most so long for the thread to end."""
+    def finish(self) -> None:
+        """Cancels for good and waits a little for the thread to end."""
         self.cancel()
         self._timer.stop()
         if self._running:
-            self._running.thread.join(seconds)
+            self._running.thread.join(LONGEST_STOP)
             self._running = None
 
     def _start(self) -> None:

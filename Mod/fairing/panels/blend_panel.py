@@ -114,6 +114,7 @@ class BlendPanel(ComparedPanel, EdgePanel):
         if reached is None:
             self._refresh()
             return
+        self._drop_comparison()
         self._idle()  # what still runs is of another reach
         self._result, self._kept = None, reached[0]
         self._say(*self._show_surface(*reached))

@@ -24,8 +24,7 @@ FROM, TO = range(2)
 # Choices that a strip alone has: a junction is asked none of them.
 STRIP_CHOICES = ("from_reach_end", "to_reach_end", "from_departure", "to_departure",
                  "from_flip", "to_flip", "from_setback", "to_setback", "match", "alignment")
-CHOICES = ("continuity", "from_reach", "to_reach", *STRIP_CHOICES, "ring", "energy", "lambda_", "gamma",
-           "gap_tolerance", "angle_tolerance", "degree", "max_poles", "result")
+CHOICES = tuple(properties.NAMES)
 
 _REACHES = (("from_reach", "from_reach_end"), ("to_reach", "to_reach_end"))
 

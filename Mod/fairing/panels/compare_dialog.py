@@ -18,7 +18,6 @@ from .quantities import angle_text, length_text, percent_text
 CURVATURE = 3  # the column that is there for G2 only
 FIRST_VALUE = 4  # columns from here on: the less, the fairer
 VALUES = ("thin_plate", "total_curvature", "mean_curvature_gradient", "minimum_variation")
-LONGEST_STOP = 0.1  # s closing waits for a solve that was told to stop
 MARGIN = 40  # pixels from the window's lower right corner
 SAME = 1.0 + 1e-6  # a value so close to the least is the least, too
 
@@ -27,7 +26,7 @@ class CompareDialog:
     """on_show(native Fill) when a row is selected, on_use(energy) and on_close() when the user is done."""
 
     def __init__(self, request, brep: bytes, names: list[str], on_show: Callable, on_use: Callable, on_close: Callable):
-        self._names, self._rows = names, []
+        self._names, self._rows, self._fairness = names, [], {}
         self._on_show, self._on_use, self._on_close = on_show, on_use, on_close
         self._ui = Gui.PySideUic.loadUi(paths.form("compare.ui"))
         self._ui.setParent(Gui.getMainWindow(), QtCore.Qt.Tool)
@@ -42,8 +41,7 @@ class CompareDialog:
         self._ui.compareCloseButton.clicked.connect(self._ui.close)
         self._ui.finished.connect(lambda *_: self.close())
         self._solver = BackgroundSolver(native.module().Progress, self._done, self._progressed, self._ui)
-        found: list[Solved] = []  # grows on the other thread
-        self._found = found
+        found = self._found = []  # of Solved; grows on the other thread
 
         def solve_all(progress):
             for solved in solve_each(request, brep, ENERGIES, progress):
@@ -68,7 +66,7 @@ class CompareDialog:
         if not self._is_open:
             return False
         self._is_open = False
-        self._solver.finish(LONGEST_STOP)
+        self._solver.finish()
         self._ui.hide()
         self._ui.deleteLater()
         return True
@@ -140,6 +138,7 @@ class CompareDialog:
             self._table.setSpan(row, 1, 1, self._table.columnCount() - 1)
             return
         report = solved.fill.report
+        self._fairness[row] = report["fairness"]
         if asks_for_curvature(report):
             self._table.setColumnHidden(CURVATURE, False)
         self._table.item(row, 0).setIcon(QtGui.QIcon(status.of_fill(solved.fill).pixmap()))
@@ -152,11 +151,10 @@ class CompareDialog:
     def _mark_least(self) -> None:
         """What each energy is about is told by bold figures."""
         for column, name in enumerate(VALUES, FIRST_VALUE):
-            solved = [(row, item.fill.report["fairness"][name]) for row, item in enumerate(self._rows) if item.fill]
-            least = min((value for _, value in solved), default=0.0)
-            for row, value in solved:
+            least = min((values[name] for values in self._fairness.values()), default=0.0)
+            for row, values in self._fairness.items():
                 font = self._table.font()
-                font.setBold(value <= least * SAME)
+                font.setBold(values[name] <= least * SAME)
                 self._table.item(row, column).setFont(font)
 
     def _selected(self):

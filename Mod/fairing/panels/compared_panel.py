@@ -22,6 +22,10 @@ class ComparedPanel(GuidedPanel):
         super()._start_anew()
         self._drop_comparison()
 
+    def _guide(self) -> None:
+        self._drop_comparison()
+        super()._guide()
+
     def _compare(self) -> None:
         """Has the surface made with every energy."""
         if self._comparison is not None or self._session.problem:

@@ -18,7 +18,6 @@ from .message import show_problem
 from .picking import ClosingDocument, EscapeKey
 
 DIVISIONS = 80  # of the diagonal of what is seen: longer edges of triangles are split
-LONGEST_STOP = 0.1  # s closing waits for a picture that is being made
 
 
 class CurvaturePanel:
@@ -119,7 +118,7 @@ class CurvaturePanel:
         if self._is_closed:
             return
         self._is_closed = True
-        self._solver.finish(LONGEST_STOP)
+        self._solver.finish()
         self._closing.stop()
         self._escape.stop()
         Gui.Selection.removeObserver(self)

@@ -43,9 +43,10 @@ class CurvatureView:
     def show(self, pictures, beside=(), placement=App.Placement(), are_closed=None) -> None:
         """Native CurvaturePictures: those that the range is taken of, and others beside them; from their coordinates to
         the document's; and which of them are on solids, where nothing is seen from behind."""
+        known = {id(picture): own for picture, *own in zip(self._pictures, self._meshes, self._values)}
         self._pictures, self._ranging, self._placement = [*pictures, *beside], len(pictures), placement
-        self._meshes = [picture.mesh() for picture in self._pictures]
-        self._values = [picture.values() for picture in self._pictures]
+        parts = [known.get(id(picture)) or (picture.mesh(), picture.values()) for picture in self._pictures]
+        self._meshes, self._values = [mesh for mesh, _ in parts], [values for _, values in parts]
         self._drawing.place(placement)
         self._drawing.show_meshes(self._meshes, are_closed or [False] * len(self._pictures))
         self.paint()

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-
 import FreeCAD as App
 
 from .. import exchange

@@ -93,7 +93,7 @@ class LimitChoices(QtCore.QObject):
     def _show_hints(self, *_) -> None:
         """What depends on other choices: sentences, labels, what is enabled."""
         ui = self._ui
-        ui.energyHint.setText(energy_sentences()[ui.energyCombo.currentIndex()])
+        ui.energyHint.setText(ui.energyCombo.currentData(QtCore.Qt.ToolTipRole))
         ui.gapSpin.setEnabled(not ui.gapAutoCheck.isChecked())
 
 

@@ -14,7 +14,6 @@ from .guidance_box import GuidanceBox
 from .pictured_panel import PicturedPanel
 from .status import Status
 
-
 LONGEST_STEP = 0.15  # s the window may stand still for a surface that follows
 
 

@@ -19,7 +19,7 @@ MESH_POINTS = 33  # along either direction of a patch: smooth to the eye, drawn 
 
 class GuidedSession:
     """What sessions have in common: a `document`, a `request`, the `obj` that is changed or None, and the `base` that
-    the surface is made on. `reference` holds links, `guides` handles and curves, both in the container's
+    the surface is made on, as BREP in `_brep`. `reference` holds links, `guides` handles and curves, both in the container's
     coordinates."""
 
     def __init__(self):

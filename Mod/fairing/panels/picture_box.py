@@ -12,11 +12,11 @@ from PySide import QtCore, QtGui
 from ..pictures import NONE, PICTURES, QUANTITIES, SYMBOLS, UNITS, ZEBRA, is_signed
 from ..translation import translate
 from . import picture_colors as colors
+from .fill_choices import TYPING_PAUSE
 from .quantities import point_text
 
 FIGURES = 4  # of a curvature
 NOTHING = 1e-11  # below that a number is rounding
-TYPING_PAUSE = 250  # ms without a key before a typed number counts
 
 
 class PictureBox(QtCore.QObject):

@@ -12,7 +12,7 @@ import numpy as np
 from pivy import coin
 
 from . import picture_colors as colors
-from .scene_vectors import set_indices, set_vectors
+from .scene_vectors import set_faces, set_vectors
 
 # Nearer than what FreeCAD draws of the same faces: its triangles are coarser and lie off by as much as this share of
 # the depth of the scene.
@@ -149,14 +149,15 @@ class _Part:
             self.root.addChild(node)
 
     def show(self, points, normals, triangles, is_closed: bool) -> None:
+        if points is self.points:  # the mesh it has
+            return
         self.points, self.normals = points, normals
         self._hints.shapeType = coin.SoShapeHints.SOLID if is_closed else coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
         self._faces.coordIndex.setNum(0)  # never an index beyond the points
         set_vectors(self._points.point, points)
         set_vectors(self._normals.vector, normals)
         set_vectors(self._values.point, np.zeros((len(points), 2)))
-        ends = np.full((len(triangles), 1), -1, np.int32)
-        set_indices(self._faces.coordIndex, np.hstack([triangles, ends]).ravel())
+        set_faces(self._faces.coordIndex, triangles)
 
     def paint(self, places) -> None:
         """n x 2, in the texture."""

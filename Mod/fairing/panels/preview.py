@@ -7,7 +7,7 @@ import numpy as np
 from pivy import coin
 
 from .guidance_drawing import GuidanceDrawing
-from .scene_vectors import set_vectors
+from .scene_vectors import set_faces, set_vectors
 
 TRANSPARENCY = 0.15
 MATCH_COLOR, DOTTED = (0.13, 0.15, 0.18), 0x3333
@@ -98,9 +98,7 @@ class _Surface:
         set_vectors(self._points.point, points)
         set_vectors(self._normals.vector, normals)
         if self._triangles is None:
-            ends = np.full((len(triangles), 1), -1, np.int32)
-            indices = np.hstack([triangles, ends]).ravel().tolist()
-            self._faces.coordIndex.setValues(0, len(indices), indices)
+            set_faces(self._faces.coordIndex, triangles)
             self._triangles = triangles
 
     def clear(self) -> None:

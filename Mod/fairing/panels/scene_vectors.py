@@ -20,11 +20,12 @@ def set_vectors(field, vectors) -> None:
     field.finishEditing()
 
 
-def set_indices(field, indices) -> None:
-    """Copies whole numbers into a field of indices."""
-    numbers = np.ascontiguousarray(indices, np.int32)
-    field.setNum(len(numbers))
-    if not len(numbers):
+def set_faces(field, corners) -> None:
+    """Copies faces, n x their number of corners, into a field of indices."""
+    numbers = np.full((len(corners), np.shape(corners)[1] + 1), -1, np.int32)
+    numbers[:, :-1] = corners
+    field.setNum(numbers.size)
+    if not numbers.size:
         return
     ctypes.memmove(int(field.startEditing()), numbers.ctypes.data, numbers.nbytes)
     field.finishEditing()

@@ -22,7 +22,6 @@ from .message import show_problem
 from .picking import ClosingDocument, EscapeKey, Picking
 from .status import Status
 
-LONGEST_STOP = 0.1  # s closing waits for a solve that was told to stop; then it ends by itself, unheard
 SHOWS_PROGRESS_AFTER = 0.15  # s: a bar that only flashes up is noise
 PAUSE = 250  # ms something dragged stays before what OK takes is solved
 MARGINS = 60  # pixels left and right of the table, a scroll bar included
@@ -288,7 +287,7 @@ class SolvingPanel:
         if self._is_closed:
             return
         self._is_closed = True
-        self._solver.finish(LONGEST_STOP)
+        self._solver.finish()
         self._picking.stop()
         self._closing.stop()
         self._escape.stop()
