@@ -25,7 +25,7 @@ struct Effort {
   int steps;          // most, on each level
   double worthAStep;  // share of the energy that a step has to take away
   double settled;     // share of the diagonal: smaller steps are the last
-  int levels;         // of knots, every span halved from one to the next
+  bool toTheEnd;      // a second time on finer knots
   ShapeHold hold;
   spline::QuadratureRule quadrature;
 };
@@ -44,14 +44,16 @@ constexpr double kPinning = 1e5;
 // 1e-7 of the plate's energy with 1e4, 3e-6 with 1e5), less of it costs steps. Second order: with
 // less, the first row of control points slides onto the border, where a crease costs nothing.
 constexpr double kAnchorOfThirdOrder = 1e4, kAnchorOfSecondOrder = 1e6;
-// From one level to the next, which starts closer to its end.
-constexpr double kRelease = 0.1;
+// From one level to the next, which starts closer to its end, and closer still on a result's knots.
+constexpr double kReleaseWhenHalved = 0.1, kReleaseOfFit = 0.01;
 // The degree's own number is enough for a few steps; to the end, displacements that change no
 // residual are found and taken.
 constexpr int kMorePoints = 2;
 constexpr int kMostStepsToTheEnd = 30;
+// Of the energy at the start, on a surface that has none.
+constexpr double kVanishing = 1e-3;
 // A level of more control points costs more than it gives.
-constexpr int kMostPoints = 450;
+constexpr int kMostPointsHalved = 450, kMostPointsOfFit = 500;
 
 std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind, double diagonal) {
   switch (kind) {
@@ -86,7 +88,8 @@ int highestDegree(const layout::PatchLayout& layout) {
 Effort effortOf(const FillOptions& options, const layout::PatchLayout& layout) {
   const EnergyKind energy = options.energy;
   if (energy == EnergyKind::MeanCurvatureGradient)
-    return {1e-3, 14, quickSteps(layout.kind), 1e-3, 0.0, 1, {kPinning, 0.0}, options.quadrature};
+    return {
+        1e-3, 14, quickSteps(layout.kind), 1e-3, 0.0, false, {kPinning, 0.0}, options.quadrature};
   const double anchor =
       energy == EnergyKind::TotalCurvature ? kAnchorOfSecondOrder : kAnchorOfThirdOrder;
   return {1e-5,
@@ -94,7 +97,7 @@ Effort effortOf(const FillOptions& options, const layout::PatchLayout& layout) {
           kMostStepsToTheEnd,
           1e-3,
           2e-6,
-          2,
+          true,
           {0.0, anchor},
           options.quadrature.orPoints(highestDegree(layout) + kMorePoints)};
 }
@@ -131,6 +134,28 @@ layout::PatchLayout halved(const layout::LayoutPlan& plan, const layout::PatchLa
   return layout::refineLayout(plan, layout, wishes);
 }
 
+// Where a shape's steps go on.
+struct FinerKnots {
+  layout::PatchLayout layout;
+  bool holdFit;  // the knots of the fit are among them
+  double release;
+};
+
+// The knots of what is fitted to the shape: its steps then end in the result. A shape without
+// energy lacks nothing but knots, so it is given both these and its own, halved.
+std::optional<FinerKnots> finerKnots(const layout::LayoutPlan& plan,
+                                     const layout::PatchLayout& fitted,
+                                     const FairShape& shape) {
+  layout::PatchLayout finer = halved(plan, shape.layout);
+  if (shape.energy < kVanishing * shape.history.start) {
+    layout::PatchLayout both = layout::withKnotsOf(plan, fitted, finer);
+    if (both.pointCount <= kMostPointsOfFit) return FinerKnots{both, true, kReleaseOfFit};
+  }
+  if (fitted.pointCount <= kMostPointsOfFit) return FinerKnots{fitted, true, kReleaseOfFit};
+  if (finer.pointCount <= kMostPointsHalved) return FinerKnots{finer, false, kReleaseWhenHalved};
+  return std::nullopt;
+}
+
 // One plan's shape, made fairer step by step.
 class Improvement {
  public:
@@ -161,7 +186,6 @@ class Improvement {
                                                const Effort& effort,
                                                int level) {
     const solver::Points start = points;
-    const ShapeHold hold{effort.hold.step, effort.hold.anchor * std::pow(kRelease, level)};
     std::optional<ShapeDescent> descent;  // lasts as long as its program
     shape.energy =
         assembly::shapeEnergyOf(makePatches(shape.layout, points), energy_, effort.quadrature);
@@ -179,7 +203,8 @@ class Improvement {
         descent.reset();
       }
       if (!descent)
-        descent.emplace(shape.layout, energy_, program_, start, size_, hold, effort.quadrature);
+        descent.emplace(
+            shape.layout, energy_, program_, start, size_, effort.hold, effort.quadrature);
       const ShapeStep step = descent->step(points);
       shape.energy = step.energy;
       if (step.fell) shape.history.steps.push_back({level, step.energy, step.anchor, step.length});
@@ -230,26 +255,42 @@ Result<std::optional<FairShape>> fairShape(const layout::LayoutPlan& plan,
     return shape;
   }
   points = improvement.descend(shape, std::move(*points), effort, 0);
-  for (int level = 1; points && level < effort.levels; ++level) {
-    layout::PatchLayout finer = halved(plan, shape.layout);
-    if (finer.pointCount > kMostPoints) break;
-    if (improvement.isToStop()) {
-      shape.history.end = solver::ShapeEnd::Stopped;
-      break;
-    }
-    Aim aim;
-    aim.shape = pointsOn(finer, makePatches(shape.layout, *points));
-    points = improvement.solveFor(finer, aim, false);
-    if (!points) break;
-    shape.layout = std::move(finer);
-    points = improvement.descend(shape, std::move(*points), effort, level);
-  }
   if (!points) return fail(points.error());
-  if (options.energy == EnergyKind::MeanCurvatureGradient &&
-      shape.history.end != solver::ShapeEnd::Stopped)
-    shape.history.end = solver::ShapeEnd::Quick;
   shape.patches = makePatches(shape.layout, *points);
+  if (!effort.toTheEnd && shape.history.end != solver::ShapeEnd::Stopped)
+    shape.history.end = solver::ShapeEnd::Quick;
   return shape;
+}
+
+Result<bool> fairFurther(const layout::LayoutPlan& plan,
+                         const layout::PatchLayout& fitted,
+                         const Patches& fit,
+                         const FillOptions& options,
+                         double diagonal,
+                         Progress* progress,
+                         FairShape& shape) {
+  const auto energy = shapeEnergy(options.energy, diagonal);
+  Effort effort = effortOf(options, shape.layout);
+  const bool hasEnded = shape.history.end == solver::ShapeEnd::Stopped ||
+                        shape.history.end == solver::ShapeEnd::Undefined;
+  if (!effort.toTheEnd || hasEnded) return false;
+  const std::optional<FinerKnots> finer = finerKnots(plan, fitted, shape);
+  if (!finer) return false;
+  if (progress && progress->isFinishRequested()) {
+    shape.history.end = solver::ShapeEnd::Stopped;
+    return false;
+  }
+  effort.hold.anchor *= finer->release;
+  Aim aim;
+  aim.shape = pointsOn(finer->layout, finer->holdFit ? fit : shape.patches);
+  Improvement improvement(plan, options, *energy, diagonal, progress);
+  auto points = improvement.solveFor(finer->layout, aim, false);
+  if (!points) return fail(points.error());
+  shape.layout = finer->layout;
+  points = improvement.descend(shape, std::move(*points), effort, 1);
+  if (!points) return fail(points.error());
+  shape.patches = makePatches(shape.layout, *points);
+  return true;
 }
 
 }  // namespace fairing

@@ -22,6 +22,10 @@ constexpr double kFitShare = 0.3;
 // solver's.
 constexpr double kFollowAim = 0.65;
 
+// Of the limits: what patches may take up that are the least of the energy on their knots. More
+// knots would be fitted again, and cost energy.
+constexpr double kKeepAim = 0.85;
+
 // Where the first patch on a closed edge starts: what is measured must not depend on the start of
 // the edge.
 std::vector<double> startsOf(const layout::LayoutPlan& plan, const boundary::BoundaryLoop& loop) {
@@ -44,6 +48,73 @@ void addHistory(const FairShape& shape, FillResult& result) {
   if (history.end == solver::ShapeEnd::Undefined)
     result.report.notes.push_back(
         {.code = analysis::NoteCode::ShapeUndefined, .where = history.where});
+}
+
+// Patches and what they lie on.
+struct Fitted {
+  FillResult result;
+  layout::PatchLayout layout;
+};
+
+// Patches on a layout, and the shape's knots, that follow the sides as closely as asked: solved,
+// measured and given knots where that is not enough.
+Result<Fitted> fitTo(const Span& span,
+                     layout::PatchLayout layout,
+                     const std::optional<FairShape>& shape,
+                     const FillOptions& options,
+                     double aim,
+                     Progress* progress) {
+  if (shape) layout = layout::withKnotsOf(span.plan, layout, shape->layout);
+  std::optional<Fitted> best;
+  std::optional<Patches> latest;
+  for (int round = 0; round <= options.maxRefinements; ++round) {
+    if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
+    if (best && layout.pointCount > options.maxPoles) break;
+    Aim to;
+    if (shape) to.shape = pointsOn(layout, shape->patches);
+    if (latest) to.near = pointsOn(layout, *latest);
+    auto tried = fillOn(span, layout, std::move(to), options, progress);
+    if (!tried) return fail(tried.error());
+    tried->summary.solves = round + 1;
+    if (options.guidance.isDrawn()) latest = tried->patches;
+    auto wishes = wishedKnots(span.plan, layout, tried->report, aim);
+    wishForInner(layout, tried->patches, options.through, aim * tried->report.gapLimit, wishes);
+    if (!best || excess(tried->report) < excess(best->result.report))
+      best = Fitted{std::move(*tried), layout};
+    else
+      best->result.summary.solves = round + 1;
+    if (progress) progress->setFraction((round + 1.0) / (options.maxRefinements + 1.0));
+    if (nothingWished(wishes)) break;
+    layout = layout::refineLayout(span.plan, layout, wishes);
+  }
+  return std::move(*best);
+}
+
+// The shape and its patches on finer knots, unless these miss limits that the coarser ones kept.
+// The seconds that its steps took.
+Result<double> goFurther(const Span& span,
+                         const layout::PatchLayout& layout,
+                         const FillOptions& options,
+                         Progress* progress,
+                         std::optional<FairShape>& shape,
+                         Fitted& best) {
+  Stopwatch watch;
+  std::optional<FairShape> finer = shape;
+  const auto further = fairFurther(
+      span.plan, best.layout, best.result.unguided, options, span.loop.diagonal, progress, *finer);
+  if (!further) return fail(further.error());
+  const double seconds = watch.lap();
+  if (!*further) {
+    shape = std::move(finer);  // may have been stopped
+    return seconds;
+  }
+  const bool isFit = finer->layout.pointCount == best.layout.pointCount;
+  auto fitted = fitTo(span, layout, finer, options, isFit ? kKeepAim : kRefineAim, progress);
+  if (!fitted) return fail(fitted.error());
+  if (best.result.report.withinTolerance && !fitted->result.report.withinTolerance) return seconds;
+  best = std::move(*fitted);
+  shape = std::move(finer);
+  return seconds;
 }
 
 // What is measured on the patches that are kept, and not on those on the way to them.
@@ -74,40 +145,27 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
   if (progress) progress->setFraction(0.0);  // it may have counted another plan
   const double diagonal = span.loop.diagonal;
   const double fitTolerance = kFitShare * options.tolerance.gapFor(diagonal);
-  auto layout = layout::makeLayout(span.plan, {options.degree, fitTolerance, options.maxPoles});
+  const auto layout =
+      layout::makeLayout(span.plan, {options.degree, fitTolerance, options.maxPoles});
   const double layoutTime = watch.lap();
-  const auto shape = fairShape(span.plan, layout, options, diagonal, progress);
+  auto shape = fairShape(span.plan, layout, options, diagonal, progress);
   if (!shape) return fail(shape.error());
-  const double shapeTime = watch.lap();
-  if (*shape) layout = layout::withKnotsOf(span.plan, layout, (*shape)->layout);
-
-  std::optional<FillResult> best;
-  std::optional<Patches> latest;
-  for (int round = 0; round <= options.maxRefinements; ++round) {
-    if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
-    if (best && layout.pointCount > options.maxPoles) break;
-    Aim aim;
-    if (*shape) aim.shape = pointsOn(layout, (*shape)->patches);
-    if (latest) aim.near = pointsOn(layout, *latest);
-    auto tried = fillOn(span, layout, std::move(aim), options, progress);
-    if (!tried) return tried;
-    tried->summary.solves = round + 1;
-    if (options.guidance.isDrawn()) latest = tried->patches;
-    auto wishes = wishedKnots(span.plan, layout, tried->report, kRefineAim);
-    wishForInner(
-        layout, tried->patches, options.through, kRefineAim * tried->report.gapLimit, wishes);
-    best = best ? better(std::move(*best), std::move(*tried)) : std::move(*tried);
-    if (progress) progress->setFraction((round + 1.0) / (options.maxRefinements + 1.0));
-    if (nothingWished(wishes)) break;
-    layout = layout::refineLayout(span.plan, layout, wishes);
+  double shapeTime = watch.lap();
+  auto best = fitTo(span, layout, *shape, options, kRefineAim, progress);
+  if (!best) return fail(best.error());
+  if (*shape) {
+    const auto went = goFurther(span, layout, options, progress, *shape, *best);
+    if (!went) return fail(went.error());
+    shapeTime += *went;
+    addHistory(**shape, best->result);
   }
-  if (const auto measured = measureKept(span, options, *best); !measured)
+  FillResult& result = best->result;
+  if (const auto measured = measureKept(span, options, result); !measured)
     return fail(measured.error());
-  best->summary.layoutTime = layoutTime;
-  best->summary.shapeTime = shapeTime;
-  if (*shape) addHistory(**shape, *best);
-  best->summary.totalTime = watch.total();
-  return std::move(*best);
+  result.summary.layoutTime = layoutTime;
+  result.summary.shapeTime = shapeTime;
+  result.summary.totalTime = watch.total();
+  return std::move(result);
 }
 
 Result<FillResult> spanAgain(const Span& span,

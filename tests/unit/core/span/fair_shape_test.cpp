@@ -43,8 +43,44 @@ TEST(FairShape, GoesToTheMinimumWhereAsked) {
   ASSERT_TRUE(quick && best);
   EXPECT_EQ(quick->history.end, solver::ShapeEnd::Quick);
   EXPECT_EQ(best->history.end, solver::ShapeEnd::Converged);
-  EXPECT_GT(best->history.steps.back().level, 0);
   EXPECT_GT(best->history.steps.size(), quick->history.steps.size());
+}
+
+FillResult filled(const Sides& sides, EnergyKind energy) {
+  FillOptions options;
+  options.energy = energy;
+  return fillHole(finished(sides), options).value();
+}
+
+// The steps end on the knots of the result: what they reached is what is measured on it, and less
+// than what a few steps and a fit leave.
+TEST(FairShape, TheResultHasTheEnergyThatTheStepsReached) {
+  for (const Sides& sides : {polygonOn(waves(), 4), polygonOn(waves(), 5)}) {
+    const FillResult best = filled(sides, EnergyKind::MeanCurvatureGradientMinimum);
+    const double value = best.report.fairness.meanCurvatureGradient;
+    EXPECT_EQ(best.summary.shape.steps.back().level, 1);
+    EXPECT_NEAR(value / best.summary.shape.steps.back().energy, 1.0, 0.02);
+    EXPECT_LT(
+        value,
+        filled(sides, EnergyKind::MeanCurvatureGradient).report.fairness.meanCurvatureGradient);
+  }
+}
+
+TEST(FairShape, GoesOnOnFinerKnotsOnlyToTheMinimum) {
+  const Sides sides = polygonOn(waves(), 4);
+  const auto loop = finished(sides);
+  const auto plan = layout::planLayout(loop, LayoutKind::Auto).value();
+  for (const EnergyKind energy :
+       {EnergyKind::MeanCurvatureGradient, EnergyKind::MeanCurvatureGradientMinimum}) {
+    FillOptions options;
+    options.energy = energy;
+    auto shape = shapeOf(sides, energy);
+    ASSERT_TRUE(shape.has_value());
+    const auto further =
+        fairFurther(plan, shape->layout, shape->patches, options, loop.diagonal, nullptr, *shape);
+    ASSERT_TRUE(further.has_value());
+    EXPECT_EQ(*further, energy == EnergyKind::MeanCurvatureGradientMinimum);
+  }
 }
 
 TEST(FairShape, FallsFromStepToStepOnALevel) {
