@@ -22,10 +22,11 @@ namespace {
 struct Effort {
   double fitShare;  // of the diagonal: how closely the sides are followed
   int mostPolesAlong;
-  int steps;          // most, on each level
-  double worthAStep;  // share of the energy that a step has to take away
-  double settled;     // share of the diagonal: smaller steps are the last
-  bool toTheEnd;      // a second time on finer knots
+  int steps;            // most, on each level
+  double worthAStep;    // share of the energy that a step has to take away
+  double settled;       // share of the diagonal: smaller steps are the last
+  bool toTheEnd;        // a second time on finer knots
+  int mostPointsOfFit;  // if these are the fit's
   ShapeHold hold;
   spline::QuadratureRule quadrature;
 };
@@ -52,7 +53,8 @@ constexpr int kMorePoints = 2;
 constexpr int kMostStepsToTheEnd = 30;
 // Of the energy at the start, on a surface that has none.
 constexpr double kVanishing = 1e-3;
-// A level of more control points costs more than it gives.
+// A level of more control points costs more than it gives. On a fit's knots, which are dense next
+// to the corners, an energy of second order would crease there.
 constexpr int kMostPointsHalved = 450, kMostPointsOfFit = 500;
 
 std::unique_ptr<shape_energy::ShapeEnergy> shapeEnergy(EnergyKind kind, double diagonal) {
@@ -88,16 +90,24 @@ int highestDegree(const layout::PatchLayout& layout) {
 Effort effortOf(const FillOptions& options, const layout::PatchLayout& layout) {
   const EnergyKind energy = options.energy;
   if (energy == EnergyKind::MeanCurvatureGradient)
-    return {
-        1e-3, 14, quickSteps(layout.kind), 1e-3, 0.0, false, {kPinning, 0.0}, options.quadrature};
-  const double anchor =
-      energy == EnergyKind::TotalCurvature ? kAnchorOfSecondOrder : kAnchorOfThirdOrder;
+    return {1e-3,
+            14,
+            quickSteps(layout.kind),
+            1e-3,
+            0.0,
+            false,
+            0,
+            {kPinning, 0.0},
+            options.quadrature};
+  const bool isOfSecondOrder = energy == EnergyKind::TotalCurvature;
+  const double anchor = isOfSecondOrder ? kAnchorOfSecondOrder : kAnchorOfThirdOrder;
   return {1e-5,
           24,
           kMostStepsToTheEnd,
           1e-3,
           2e-6,
           true,
+          isOfSecondOrder ? 0 : kMostPointsOfFit,
           {0.0, anchor},
           options.quadrature.orPoints(highestDegree(layout) + kMorePoints)};
 }
@@ -145,13 +155,14 @@ struct FinerKnots {
 // energy lacks nothing but knots, so it is given both these and its own, halved.
 std::optional<FinerKnots> finerKnots(const layout::LayoutPlan& plan,
                                      const layout::PatchLayout& fitted,
+                                     int mostPointsOfFit,
                                      const FairShape& shape) {
   layout::PatchLayout finer = halved(plan, shape.layout);
   if (shape.energy < kVanishing * shape.history.start) {
     layout::PatchLayout both = layout::withKnotsOf(plan, fitted, finer);
-    if (both.pointCount <= kMostPointsOfFit) return FinerKnots{both, true, kReleaseOfFit};
+    if (both.pointCount <= mostPointsOfFit) return FinerKnots{both, true, kReleaseOfFit};
   }
-  if (fitted.pointCount <= kMostPointsOfFit) return FinerKnots{fitted, true, kReleaseOfFit};
+  if (fitted.pointCount <= mostPointsOfFit) return FinerKnots{fitted, true, kReleaseOfFit};
   if (finer.pointCount <= kMostPointsHalved) return FinerKnots{finer, false, kReleaseWhenHalved};
   return std::nullopt;
 }
@@ -274,7 +285,7 @@ Result<bool> fairFurther(const layout::LayoutPlan& plan,
   const bool hasEnded = shape.history.end == solver::ShapeEnd::Stopped ||
                         shape.history.end == solver::ShapeEnd::Undefined;
   if (!effort.toTheEnd || hasEnded) return false;
-  const std::optional<FinerKnots> finer = finerKnots(plan, fitted, shape);
+  const std::optional<FinerKnots> finer = finerKnots(plan, fitted, effort.mostPointsOfFit, shape);
   if (!finer) return false;
   if (progress && progress->isFinishRequested()) {
     shape.history.end = solver::ShapeEnd::Stopped;
