@@ -372,7 +372,7 @@ def test_refuses_blends_that_make_no_sense(two_planes, tmp_path):
 
 
 def test_explains_itself():
-    for arguments in (["--help"], ["fill", "--help"], ["blend", "--help"], ["report", "--help"]):
+    for arguments in (["--help"], ["fill", "--help"], ["blend", "--help"], ["report", "--help"], ["compare-blend", "--help"]):
         done = run(*arguments)
         assert done.returncode == 0 and "SHAPE" in done.stdout or "fill" in done.stdout
     assert run("--version").stdout.startswith("fairing ")
