@@ -101,6 +101,14 @@ gui.key("Escape")
 gui.wait_for(lambda: not gui.panel_is_open(), "Esc to close the panel")
 nothing_is_left(document, nodes)
 
+# Closed by somebody else.
+start_a_long_solve(document, edges[0])
+Gui.Control.closeDialog()
+gui.pump(0.2)
+nothing_is_left(document, nodes)
+Gui.Selection.addSelection(document.Name, "Base", "Vertex1")
+assert [pick.SubElementNames for pick in Gui.Selection.getSelectionEx()] == [("Vertex1",)], "the gate is still there"
+
 # OK pressed before the surface is there waits for it and no longer.
 open_panel(document, edges[0])
 gui.ok()
@@ -134,6 +142,16 @@ gui.wait_for_verdict()
 gui.press("Cancel")
 assert document.Fill.Energy == "membrane" and document.Fill.ViewObject.Visibility
 assert len(document.UndoNames) == 2
+
+# Nor does the end of editing by somebody else change anything.
+size = scene_size()
+Gui.ActiveDocument.setEdit("Fill")
+gui.wait_for_verdict()
+assert not document.Fill.ViewObject.Visibility
+Gui.ActiveDocument.resetEdit()
+gui.wait_for(lambda: not gui.panel_is_open(), "the panel to go")
+gui.pump(0.1)
+assert document.Fill.ViewObject.Visibility and scene_size() == size and len(document.UndoNames) == 2
 
 # The document closes under the panel, idle and solving.
 App.closeDocument(document.Name)
