@@ -666,7 +666,7 @@
   </message>
   <message>
    <source>Least change of curvature, to the end</source>
-   <translation>Kleinste Krümmungsänderung, bis zum Ende</translation>
+   <translation>Kleinste Krümmungsänderung, genau</translation>
   </message>
   <message>
    <source>Minimum variation</source>
@@ -853,7 +853,7 @@
   </message>
   <message>
    <source>Least change of curvature, to the end - the same, taken to its minimum</source>
-   <translation>Kleinste Krümmungsänderung, bis zum Ende - dieselbe, bis zum Minimum geführt</translation>
+   <translation>Kleinste Krümmungsänderung, genau - dieselbe, bis zum Minimum geführt</translation>
   </message>
   <message>
    <source>Minimum variation - brings back spheres, cylinders, cones and tori</source>

@@ -110,7 +110,8 @@ def bad_input_is_told():
     assert "There is no face 7" in support.refused(lambda: fairing.make_edit(base, "Face7"))
     assert "not a face" in support.refused(lambda: fairing.make_edit(base, "Edge1"))
     assert "spans" in support.refused(lambda: fairing.make_edit(base, 1, spans=99))
-    assert "guides nothing" in support.refused(lambda: fairing.make_edit(base, 1, guides=[handle(point=(900, 0, 0))], lambda_=1))
+    assert "guides nothing" in support.refused(
+        lambda: fairing.make_edit(base, 1, guides=[handle(point=(900, 0, 0))], lambda_=1))
     assert document.Objects == [base]
 
 

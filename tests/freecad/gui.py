@@ -92,10 +92,9 @@ def widget(name):
 
 def scroll_to(name):
     """Brings a widget of the panel into sight, with the mouse wheel as it were."""
-    found = area = widget(name)
-    while not isinstance(area, QtGui.QScrollArea):
-        area = area.parentWidget()
-    area.ensureWidgetVisible(found)
+    found = widget(name)
+    next(area for area in Gui.getMainWindow().findChildren(QtGui.QScrollArea)
+         if area.isAncestorOf(found)).ensureWidgetVisible(found)
     pump(0.1)
 
 

@@ -30,7 +30,7 @@ limit = seen.report(panels)["limits"]["curvature"]
 assert seen.largest_jump(panels) <= limit < tangent, (seen.largest_jump(panels), tangent)
 gui.scroll_to("innerCombo")
 gui.picture("16_between_patches")
-assert not seen.cut_off(), seen.cut_off()
+assert not seen.cut_off() + seen.cut_off_entries("energyCombo"), (seen.cut_off(), seen.cut_off_entries("energyCombo"))
 gui.widget("pictureCombo").setCurrentText("Zebra")
 gui.settle()
 gui.picture("17_between_patches_zebra")

@@ -4,7 +4,7 @@
 import re
 
 import FreeCADGui as Gui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 import gui
 
@@ -55,14 +55,35 @@ def lines_run(action):
     return lines
 
 
+def texts():
+    """What is to be read in the open panel, scrolled away or not."""
+    return [_text(part) for part in _parts()]
+
+
 def cut_off():
     """Texts of the open panel that have less room than they need."""
-    found = []
-    for kind in (QtGui.QLabel, QtGui.QAbstractButton, QtGui.QComboBox):
-        for part in _panel().findChildren(kind):
-            if part.isVisible() and _needed(part) > part.width():
-                found.append(part.text() if hasattr(part, "text") else part.currentText())
+    found = [_text(part) for part in _parts() if _needed(part) > part.width()]
+    for header in _panel().findChildren(QtGui.QHeaderView):
+        if header.isVisible() and header.orientation() == QtCore.Qt.Horizontal:
+            found += [header.model().headerData(k, QtCore.Qt.Horizontal) for k in range(header.count())
+                      if not header.isSectionHidden(k) and header.sectionSize(k) < header.fontMetrics().horizontalAdvance(
+                          str(header.model().headerData(k, QtCore.Qt.Horizontal)))]
     return found
+
+
+def cut_off_entries(name):
+    """Of a list in the open panel, those that it would not show in full."""
+    combo = gui.widget(name)
+    return [combo.itemText(row) for row in range(combo.count()) if _needed(combo, combo.itemText(row)) > combo.width()]
+
+
+def _parts():
+    kinds = QtGui.QLabel, QtGui.QAbstractButton, QtGui.QComboBox
+    return [part for kind in kinds for part in _panel().findChildren(kind) if part.isVisible()]
+
+
+def _text(part):
+    return part.currentText() if isinstance(part, QtGui.QComboBox) else part.text()
 
 
 def _panel():
@@ -70,13 +91,13 @@ def _panel():
                 if part.metaObject().className() == "Gui::TaskView::TaskView")
 
 
-def _needed(part):
+def _needed(part, text=None):
     """Pixels for a text in one line; for one that wraps, those of its longest word."""
     if isinstance(part, QtGui.QLabel) and part.wordWrap():
         return max((part.fontMetrics().horizontalAdvance(word) for word in part.text().split()), default=0)
     if isinstance(part, QtGui.QComboBox):  # the list is as wide as its longest entry, the box may be as its current one
         others = max(part.fontMetrics().horizontalAdvance(part.itemText(row)) for row in range(part.count()))
-        return part.sizeHint().width() - others + part.fontMetrics().horizontalAdvance(part.currentText())
+        return part.sizeHint().width() - others + part.fontMetrics().horizontalAdvance(text or part.currentText())
     if isinstance(part, QtGui.QPushButton):  # its style would like more round the text
         return part.fontMetrics().horizontalAdvance(part.text()) + part.iconSize().width() * (not part.icon().isNull())
     return part.minimumSizeHint().width()
