@@ -80,4 +80,4 @@ class BlendRequest:
         May be called from any thread; the GIL is released while solving. Raises FairingError or NativeModuleError.
         """
         return SOLVED.get_or_make(
-            brep, self, lambda: native.module().Shape(brep).blend(progress=progress, **self.arguments()))
+            brep, self, lambda progress: native.module().Shape(brep).blend(progress=progress, **self.arguments()), progress)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import hashlib
 import json
@@ -108,20 +109,42 @@ class Recent:
 
     def __init__(self, size: int):
         self._size, self._items, self._lock = size, OrderedDict(), threading.Lock()
+        self._taken: dict = {}
 
-    def get_or_make(self, brep: bytes, request: Choices, make):
-        """The result of a request on a shape, made where it is not known."""
-        key = (hashlib.sha1(brep).digest(), request)
+    def get_or_make(self, brep: bytes, request: Choices, make, progress=None):
+        """The result of a request on a shape; where it is not known it is made, by make(progress). One that was stopped
+        for the best so far is not kept: who asks again is to have all of it."""
+        key = _key(request, brep)
         with self._lock:
+            if key in self._taken:
+                return self._taken[key]
             if key in self._items:
                 self._items.move_to_end(key)
                 return self._items[key]
-        made = make()
+        made = make(progress)
+        if progress is not None and progress.finishing:
+            return made
         with self._lock:
             self._items[key] = made
             while len(self._items) > self._size:
                 self._items.popitem(last=False)
         return made
+
+    @contextlib.contextmanager
+    def taking(self, request: Choices, brep: bytes, result):
+        """While it lasts, a result answers a request, even one that was stopped: what the user sees is what OK takes."""
+        key = _key(request, brep)
+        with self._lock:
+            self._taken[key] = result
+        try:
+            yield
+        finally:
+            with self._lock:
+                del self._taken[key]
+
+
+def _key(request: Choices, brep: bytes):
+    return hashlib.sha1(brep).digest(), request
 
 
 SOLVED = Recent(size=len(ENERGIES) + 2)  # a comparison, and what was before it

@@ -43,4 +43,5 @@ class EditRequest:
 
         May be called from any thread; the GIL is released while solving. Raises FairingError or NativeModuleError.
         """
-        return SOLVED.get_or_make(brep, self, lambda: native.module().Shape(brep).edit(**self.arguments(), progress=progress))
+        return SOLVED.get_or_make(
+            brep, self, lambda progress: native.module().Shape(brep).edit(progress=progress, **self.arguments()), progress)

@@ -52,8 +52,7 @@ def current_shapes() -> list[tuple[App.DocumentObject, list[str]]]:
     all that is visible and has a shape. Empty where something else is selected."""
     selected = Gui.Selection.getSelectionEx()
     if not selected:
-        shown = [obj for obj in App.ActiveDocument.Objects if has_shape(obj) and obj.ViewObject.Visibility]
-        return [(obj, []) for obj in shown]
+        return [(obj, []) for obj in shown_shapes()]
     picks = [(item.Object, [subelements.local_name(name) for name in item.SubElementNames]) for item in selected]
     understood = all(has_shape(obj) and all(map(subelements.is_face, names)) for obj, names in picks)
     return picks if understood else []
@@ -75,8 +74,14 @@ def current_base() -> Optional[App.DocumentObject]:
     selected = Gui.Selection.getSelectionEx()
     if selected:
         return selected[0].Object if len(selected) == 1 and has_shape(selected[0].Object) else None
-    shown = [obj for obj in App.ActiveDocument.Objects if has_shape(obj) and obj.ViewObject.Visibility]
+    shown = shown_shapes()
     return shown[0] if len(shown) == 1 else None
+
+
+def shown_shapes() -> list[App.DocumentObject]:
+    """Objects that are visible and have a shape. What is in a PartDesign body is seen as that body."""
+    return [obj for obj in App.ActiveDocument.Objects
+            if has_shape(obj) and obj.ViewObject.Visibility and not _is_in_body(obj)]
 
 
 def has_shape(obj: App.DocumentObject) -> bool:
@@ -85,6 +90,11 @@ def has_shape(obj: App.DocumentObject) -> bool:
 
 def has_shapes(document: App.Document) -> bool:
     return any(has_shape(obj) for obj in document.Objects)
+
+
+def _is_in_body(obj: App.DocumentObject) -> bool:
+    group = obj.getParentGeoFeatureGroup()
+    return group is not None and group.isDerivedFrom("PartDesign::Body")
 
 
 class Wanted(enum.Enum):

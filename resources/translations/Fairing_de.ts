@@ -666,7 +666,7 @@
   </message>
   <message>
    <source>Least change of curvature, to the end</source>
-   <translation>Kleinste Krümmungsänderung, bis zum Ende</translation>
+   <translation>Kleinste Krümmungsänderung, genau</translation>
   </message>
   <message>
    <source>Minimum variation</source>
@@ -747,6 +747,22 @@
   <message>
    <source> points</source>
    <translation> Punkte</translation>
+  </message>
+  <message>
+   <source>Between patches</source>
+   <translation>Zwischen Stücken</translation>
+  </message>
+  <message>
+   <source>How the patches of one surface meet each other. Tangent is quick, but reflections may bend sharply at the seams. Curvature lets them run on smoothly, for surfaces that will be seen, and takes several times to a hundred times as long and more control points. A surface of one patch is the same either way. Default: Tangent (G1)</source>
+   <translation>Wie die Stücke einer Fläche aneinander stoßen. Tangential geht schnell, doch können Spiegelungen an den Nähten knicken. Mit gleicher Krümmung laufen sie glatt durch, für Flächen, die man sehen wird; das dauert einige Male bis hundertmal so lang und braucht mehr Kontrollpunkte. Bei einem einzigen Stück ändert sich nichts. Vorgabe: Tangential (G1)</translation>
+  </message>
+  <message>
+   <source>Tangent (G1)</source>
+   <translation>Tangential (G1)</translation>
+  </message>
+  <message>
+   <source>Curvature (G2)</source>
+   <translation>Krümmung (G2)</translation>
   </message>
   <message>
    <source>Compare…</source>
@@ -837,7 +853,7 @@
   </message>
   <message>
    <source>Least change of curvature, to the end - the same, taken to its minimum</source>
-   <translation>Kleinste Krümmungsänderung, bis zum Ende - dieselbe, bis zum Minimum geführt</translation>
+   <translation>Kleinste Krümmungsänderung, genau - dieselbe, bis zum Minimum geführt</translation>
   </message>
   <message>
    <source>Minimum variation - brings back spheres, cylinders, cones and tori</source>
@@ -929,6 +945,10 @@
  </context>
  <context>
   <name>Fairing</name>
+  <message>
+   <source>Another task panel is open: close it first.</source>
+   <translation>Ein anderes Aufgabenfenster ist offen: zuerst schließen.</translation>
+  </message>
   <message>
    <source>This is the surface being made: pick an edge of the hole beside it.</source>
    <translation>Das ist die Fläche, die gerade entsteht: eine Kante des Lochs daneben anklicken.</translation>

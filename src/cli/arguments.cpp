@@ -34,13 +34,6 @@ Result<void> addDirections(const std::vector<std::string>& words,
   return {};
 }
 
-void addSizes(CLI::App& command, int& degree, int& maxPoles) {
-  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
-  command.add_option("--max-poles",
-                     maxPoles,
-                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
-}
-
 }  // namespace
 
 void PickArguments::addTo(CLI::App& command) {
@@ -91,12 +84,12 @@ Result<Tolerance> PickArguments::tolerance() const {
   return toleranceFrom(gap, angle);
 }
 
-void SolveArguments::addFiles(CLI::App& command, const char* whatShape) {
+void SolveArguments::addShape(CLI::App& command, const char* whatShape) {
   command.add_option("SHAPE", shape, whatShape)->required();
-  command.add_option("-o,--out", out, "where the result goes, .brep or .step")->required();
 }
 
-void SolveArguments::addChoices(CLI::App& command) {
+void SolveArguments::addResult(CLI::App& command) {
+  command.add_option("-o,--out", out, "where the result goes, .brep or .step")->required();
   command.add_option(
       "--energy",
       energy,
@@ -104,6 +97,10 @@ void SolveArguments::addChoices(CLI::App& command) {
       "mean-curvature-gradient-minimum, minimum-variation, total-curvature or triharmonic "
       "(default " +
           energy + ")");
+  command.add_option("--result", result, "patches, shell or base (default patches)");
+}
+
+void SolveArguments::addChoices(CLI::App& command) {
   command.add_option(
       "--quadrature", quadrature, "gauss or lobatto, for energies of the shape (default gauss)");
   command.add_option("--quadrature-points",
@@ -111,8 +108,10 @@ void SolveArguments::addChoices(CLI::App& command) {
                      "points a span and direction, 2 to 32 (default: chosen from the degree)");
   command.add_option(
       "--inner-continuity", inner, "how patches meet each other, G1 or G2 (default G1)");
-  addSizes(command, degree, maxPoles);
-  command.add_option("--result", result, "patches, shell or base (default patches)");
+  command.add_option("--degree", degree, "3 to 9 (default: chosen from the edges)");
+  command.add_option("--max-poles",
+                     maxPoles,
+                     "largest number of control points (default " + std::to_string(maxPoles) + ")");
   command.add_option("--report", report, "JSON file for the numbers");
 }
 
@@ -151,7 +150,13 @@ Result<energy::Guidance> GuideArguments::read() const {
 }
 
 void FillArguments::addTo(CLI::App& command) {
-  solve.addFiles(command, "the shape with the hole, .brep or .step");
+  addHole(command);
+  command.add_flag("--outer", outer, "fill outer borders, too, where no edge is given");
+  solve.addResult(command);
+}
+
+void FillArguments::addHole(CLI::App& command) {
+  solve.addShape(command, "the shape with the hole, .brep or .step");
   picks.addTo(command);
   command.add_option("--layout", layout, "auto, quad, star, o-grid or trimmed (default auto)");
   addRepeated(
@@ -162,7 +167,6 @@ void FillArguments::addTo(CLI::App& command) {
       "points, one a line");
   addList(command, "--through-edges", throughEdges, "edges of SHAPE to pass through");
   addList(command, "--through-vertices", throughVertices, "vertices of SHAPE to pass through");
-  command.add_flag("--outer", outer, "fill outer borders, too, where no edge is given");
   guide.addTo(command);
   solve.addChoices(command);
 }
@@ -240,24 +244,29 @@ Result<int> EditArguments::number() const {
   return numbers->front();
 }
 
-void CompareArguments::addTo(CLI::App& command) {
-  command.add_option("SHAPE", shape, "the shape with the hole, .brep or .step")->required();
-  picks.addTo(command);
-  addList(command, "--energies", energies, "which to compare (default: all)");
-  command.add_option("--layout", layout, "auto, quad, star, o-grid or trimmed (default auto)");
-  guide.addTo(command);
-  addSizes(command, degree, maxPoles);
-  command.add_option("--report", report, "JSON file for the numbers");
+void EnergyArguments::addTo(CLI::App& command) {
+  addList(command, "--energies", words, "which to compare (default: all)");
 }
 
-Result<FillOptions> CompareArguments::options() const {
-  FillArguments fill;
-  fill.picks = picks;
-  fill.layout = layout;
-  fill.guide = guide;
-  fill.solve.degree = degree;
-  fill.solve.maxPoles = maxPoles;
-  return fill.options();
+Result<std::vector<EnergyKind>> EnergyArguments::read() const {
+  if (words.empty()) return text::allEnergies();
+  std::vector<EnergyKind> energies;
+  for (const std::string& word : words) {
+    const auto energy = text::energyFrom(word);
+    if (!energy) return fail(unknown("--energies", word));
+    energies.push_back(*energy);
+  }
+  return energies;
+}
+
+void CompareArguments::addTo(CLI::App& command) {
+  fill.addHole(command);
+  energies.addTo(command);
+}
+
+void CompareBlendArguments::addTo(CLI::App& command) {
+  blend.addSides(command);
+  energies.addTo(command);
 }
 
 void ReportArguments::addTo(CLI::App& command) {

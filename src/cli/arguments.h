@@ -40,7 +40,9 @@ struct SolveArguments {
   int quadraturePoints = 0;
   int degree = 0, maxPoles = FillOptions{}.maxPoles;
 
-  void addFiles(CLI::App& command, const char* whatShape);
+  void addShape(CLI::App& command, const char* whatShape);
+  /// What a comparison has not: the energy, and where the result goes.
+  void addResult(CLI::App& command);
   void addChoices(CLI::App& command);
   /// Fails with UnknownChoice and with what the tolerance failed with.
   [[nodiscard]] Result<FillOptions> options(const Result<Tolerance>& tolerance) const;
@@ -66,6 +68,8 @@ struct FillArguments {
   GuideArguments guide;
 
   void addTo(CLI::App& command);
+  /// What a comparison takes, too.
+  void addHole(CLI::App& command);
   /// Reads the reference and the guide file, too. Fails with UnknownChoice, the codes of
   /// validate() and readGuidance().
   [[nodiscard]] Result<FillOptions> options() const;
@@ -90,6 +94,8 @@ struct BlendArguments {
   GuideArguments guide;
 
   void addTo(CLI::App& command);
+  /// What a comparison takes, too.
+  void addSides(CLI::App& command);
   /// Fails with UnknownChoice, OneSideOnly where `edges` are one chain, and the codes of
   /// groupEdges().
   [[nodiscard]] Result<occt::BlendPicks> picks(const occt::ShapeIndex& index) const;
@@ -112,18 +118,29 @@ struct EditArguments {
   [[nodiscard]] Result<int> number() const;
 };
 
-/// The same fill with several energies.
-struct CompareArguments {
-  std::string shape, report, layout = "auto";
-  std::vector<std::string> energies;  ///< none: all
-  PickArguments picks;
-  GuideArguments guide;
-  int degree = 0, maxPoles = FillOptions{}.maxPoles;
+/// Energies that are compared.
+struct EnergyArguments {
+  std::vector<std::string> words;  ///< none: all
 
   void addTo(CLI::App& command);
-  /// But for the energy. Reads the reference and the guide file, too. Fails with UnknownChoice,
-  /// the codes of validate() and readGuidance().
-  [[nodiscard]] Result<FillOptions> options() const;
+  /// Fails with UnknownChoice.
+  [[nodiscard]] Result<std::vector<EnergyKind>> read() const;
+};
+
+/// The same fill with several energies.
+struct CompareArguments {
+  FillArguments fill;
+  EnergyArguments energies;
+
+  void addTo(CLI::App& command);
+};
+
+/// The same blend with several energies.
+struct CompareBlendArguments {
+  BlendArguments blend;
+  EnergyArguments energies;
+
+  void addTo(CLI::App& command);
 };
 
 struct ReportArguments {

@@ -34,7 +34,12 @@ Reach reachOf(const std::vector<double>& from, const std::vector<double>& to) {
 }  // namespace
 
 void BlendArguments::addTo(CLI::App& command) {
-  solve.addFiles(command, "the shape with the edges, .brep or .step");
+  addSides(command);
+  solve.addResult(command);
+}
+
+void BlendArguments::addSides(CLI::App& command) {
+  solve.addShape(command, "the shape with the edges, .brep or .step");
   addList(
       command, "--from", from, "edges of one side, FreeCAD's numbers; one of a chain is enough");
   addList(command, "--to", to, "edges of the other side");

@@ -15,6 +15,7 @@ enum class Outcome {
 [[nodiscard]] Outcome runBlend(const BlendArguments& arguments);
 [[nodiscard]] Outcome runEdit(const EditArguments& arguments);
 [[nodiscard]] Outcome runCompare(const CompareArguments& arguments);
+[[nodiscard]] Outcome runCompareBlend(const CompareBlendArguments& arguments);
 [[nodiscard]] Outcome runReport(const ReportArguments& arguments);
 
 }  // namespace fairing::cli

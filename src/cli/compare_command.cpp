@@ -2,15 +2,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/options.h"
+#include "cli/finish_on_interrupt.h"
+#include "cli/jobs.h"
 #include "cli/output.h"
-#include "cli/parse.h"
-#include "cli/targets.h"
+#include "occt/blend_shape.h"
 #include "occt/fill_shape.h"
-#include "occt/shape_file.h"
 #include "text/energy_table.h"
 #include "text/error_text.h"
 #include "text/report_json.h"
@@ -19,54 +22,88 @@
 namespace fairing::cli {
 namespace {
 
-/// Everything that can be wrong is found before the work starts.
-struct Job {
-  FillOptions options;
-  std::vector<EnergyKind> energies;
-  occt::ShapeIndex index;
-  std::vector<occt::Picks> holes;
+/// Makes the surface with one energy.
+using Make = std::function<Result<FillResult>(EnergyKind energy, Progress* progress)>;
+
+struct Compared {
+  EnergyKind energy;
+  Result<FillResult> made;
 };
 
-Result<std::vector<EnergyKind>> energiesFrom(const std::vector<std::string>& words) {
-  if (words.empty()) return text::allEnergies();
-  std::vector<EnergyKind> energies;
-  for (const std::string& word : words) {
-    const auto energy = text::energyFrom(word);
-    if (!energy) return fail(unknown("--energies", word));
-    energies.push_back(*energy);
-  }
-  return energies;
+std::vector<text::EnergyLine> linesOf(const std::vector<Compared>& all) {
+  std::vector<text::EnergyLine> lines;
+  for (const Compared& one : all)
+    lines.push_back(
+        {one.energy, one.made ? &*one.made : nullptr, one.made ? nullptr : &one.made.error()});
+  return lines;
 }
 
-Result<Job> prepare(const CompareArguments& arguments) {
-  const auto picks = arguments.picks.picks();
-  if (!picks) return fail(picks.error());
-  auto energies = energiesFrom(arguments.energies);
-  if (!energies) return fail(energies.error());
-  auto options = arguments.options();
-  if (!options) return fail(options.error());
-  const auto shape = occt::readShape(arguments.shape);
-  if (!shape) return fail(shape.error());
-  Job job{std::move(*options), std::move(*energies), occt::ShapeIndex(*shape), {}};
-  if (job.index.edgeCount() == 0) return fail({.code = ErrorCode::ShapeEmpty});
-  auto holes = targets(job.index, *picks);
-  if (!holes) return fail(holes.error());
-  job.holes = std::move(*holes);
-  return job;
-}
-
-nlohmann::json reportOf(const text::EnergyLine& line) {
-  nlohmann::json item = line.fill != nullptr
-                            ? text::toJson(*line.fill)
-                            : nlohmann::json{{"error", text::sentence(*line.error)}};
-  item["energy"] = text::word(line.energy);
+nlohmann::json reportOf(const Compared& one) {
+  nlohmann::json item = one.made ? text::toJson(*one.made)
+                                 : nlohmann::json{{"error", text::sentence(one.made.error())}};
+  item["energy"] = text::word(one.energy);
   return item;
+}
+
+bool isStopped(const Compared& one) {
+  const auto says = [](const analysis::Note& note) {
+    return note.code == analysis::NoteCode::ShapeStopped;
+  };
+  return one.made &&
+         std::any_of(one.made->report.notes.begin(), one.made->report.notes.end(), says);
+}
+
+/// In one line, how far an interrupted comparison has come; nothing where it is complete.
+void complainOfStop(const std::vector<EnergyKind>& asked, const std::vector<Compared>& all) {
+  std::vector<std::string> parts;
+  if (isStopped(all.back()))
+    parts.push_back(fmt::format("{} is the best so far", text::word(all.back().energy)));
+  std::vector<std::string_view> left;
+  for (std::size_t k = all.size(); k < asked.size(); ++k) left.push_back(text::word(asked[k]));
+  if (!left.empty()) parts.push_back(fmt::format("not compared: {}", fmt::join(left, ", ")));
+  if (!parts.empty()) complain(fmt::format("Stopped: {}.", fmt::join(parts, "; ")));
+}
+
+/// One energy after the other until an interrupt; the table and the report tell of those made.
+Outcome compare(const std::vector<EnergyKind>& energies,
+                const std::string& report,
+                const Make& make) {
+  FinishOnInterrupt interrupt;
+  std::vector<Compared> all;
+  const auto isInterrupted = [&] { return interrupt.progress()->isFinishRequested(); };
+  for (const EnergyKind energy : energies) {
+    all.push_back({energy, make(energy, interrupt.progress())});
+    if (isInterrupted()) break;
+  }
+  const auto isMade = [](const Compared& one) { return one.made.has_value(); };
+  if (std::none_of(all.begin(), all.end(), isMade)) return complain(all.front().made.error());
+  fmt::print("{}", text::table(linesOf(all)));
+  if (isInterrupted()) complainOfStop(energies, all);
+  if (!report.empty()) {
+    nlohmann::json reports = nlohmann::json::array();
+    for (const Compared& one : all) reports.push_back(reportOf(one));
+    if (const auto told = writeJson({{"energies", std::move(reports)}}, report); !told)
+      return complain(told.error());
+  }
+  const bool allWithin = std::all_of(all.begin(), all.end(), [](const Compared& one) {
+    return one.made && one.made->report.withinTolerance;
+  });
+  const bool isWhole = all.size() == energies.size();
+  return allWithin && isWhole ? Outcome::WithinTolerance : Outcome::OutOfTolerance;
+}
+
+template <class Made>
+Result<FillResult> fillOf(Result<Made> made) {
+  if (!made) return fail(made.error());
+  return std::move(made->fill);
 }
 
 }  // namespace
 
 Outcome runCompare(const CompareArguments& arguments) {
-  auto job = prepare(arguments);
+  const auto energies = arguments.energies.read();
+  if (!energies) return complain(energies.error());
+  auto job = prepare(arguments.fill);
   if (!job) return complain(job.error());
   if (job->holes.size() > 1) {
     complain(fmt::format(
@@ -74,28 +111,25 @@ Outcome runCompare(const CompareArguments& arguments) {
         job->holes.size()));
     return Outcome::NothingWritten;
   }
-  std::vector<Result<occt::ShapeFill>> fills;
-  std::vector<text::EnergyLine> lines;
-  fills.reserve(job->energies.size());  // lines point into it
-  bool allWithin = true, noneSolved = true;
-  for (const EnergyKind energy : job->energies) {
-    job->options.energy = energy;
-    const auto& fill = fills.emplace_back(
-        occt::fillShape(job->index, job->holes.front(), job->options, occt::ResultMode::Patches));
-    lines.push_back({energy, fill ? &fill->fill : nullptr, fill ? nullptr : &fill.error()});
-    noneSolved = noneSolved && !fill;
-    allWithin = allWithin && fill && fill->fill.report.withinTolerance;
-  }
-  if (noneSolved) return complain(fills.front().error());
-  fmt::print("{}", text::table(lines));
-  if (!arguments.report.empty()) {
-    nlohmann::json reports = nlohmann::json::array();
-    for (const text::EnergyLine& line : lines) reports.push_back(reportOf(line));
-    if (const auto written = writeJson({{"energies", std::move(reports)}}, arguments.report);
-        !written)
-      return complain(written.error());
-  }
-  return allWithin ? Outcome::WithinTolerance : Outcome::OutOfTolerance;
+  return compare(
+      *energies, arguments.fill.solve.report, [&](EnergyKind energy, Progress* progress) {
+        job->options.energy = energy;
+        return fillOf(occt::fillShape(
+            job->index, job->holes.front(), job->options, occt::ResultMode::Patches, progress));
+      });
+}
+
+Outcome runCompareBlend(const CompareBlendArguments& arguments) {
+  const auto energies = arguments.energies.read();
+  if (!energies) return complain(energies.error());
+  auto job = prepare(arguments.blend);
+  if (!job) return complain(job.error());
+  return compare(
+      *energies, arguments.blend.solve.report, [&](EnergyKind energy, Progress* progress) {
+        job->options.fill.energy = energy;
+        return fillOf(occt::blendShape(
+            job->index, job->picks, job->options, occt::ResultMode::Patches, progress));
+      });
 }
 
 }  // namespace fairing::cli

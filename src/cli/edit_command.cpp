@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/finish_on_interrupt.h"
 #include "cli/output.h"
 #include "occt/edit_face.h"
 #include "occt/shape_file.h"
@@ -18,7 +19,9 @@ Outcome runEdit(const EditArguments& arguments) {
     return complain(writable.error());
   const auto shape = occt::readShape(arguments.shape);
   if (!shape) return complain(shape.error());
-  const auto edited = occt::editFace(occt::ShapeIndex(*shape), *face, *options);
+  FinishOnInterrupt interrupt;
+  const auto edited = occt::editFace(
+      occt::ShapeIndex(*shape), *face, *options, occt::ResultMode::Patches, interrupt.progress());
   if (!edited) return complain(edited.error());
   const auto written = occt::writeShape(edited->shape, arguments.out);
   if (!written) return complain(written.error());

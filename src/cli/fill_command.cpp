@@ -7,8 +7,8 @@
 
 #include "cli/commands.h"
 #include "cli/finish_on_interrupt.h"
+#include "cli/jobs.h"
 #include "cli/output.h"
-#include "cli/targets.h"
 #include "occt/fill_all.h"
 #include "occt/shape_file.h"
 #include "text/error_text.h"
@@ -17,36 +17,6 @@
 
 namespace fairing::cli {
 namespace {
-
-/// Everything that can be wrong is found before the work starts.
-struct Job {
-  FillOptions options;
-  occt::ResultMode mode = occt::ResultMode::Patches;
-  occt::ShapeIndex index;
-  std::vector<occt::Picks> holes;
-};
-
-Result<Job> prepare(const FillArguments& arguments) {
-  const auto picks = arguments.picks.picks();
-  if (!picks) return fail(picks.error());
-  const auto mode = arguments.solve.mode();
-  if (!mode) return fail(mode.error());
-  auto options = arguments.options();
-  if (!options) return fail(options.error());
-  if (const auto writable = checkOutputs(arguments.solve.out, arguments.solve.report); !writable)
-    return fail(writable.error());
-  const auto shape = occt::readShape(arguments.solve.shape);
-  if (!shape) return fail(shape.error());
-  Job job{std::move(*options), *mode, occt::ShapeIndex(*shape), {}};
-  if (job.index.edgeCount() == 0) return fail({.code = ErrorCode::ShapeEmpty});
-  auto through = arguments.innerConstraints(job.index);
-  if (!through) return fail(through.error());
-  job.options.through = std::move(*through);
-  auto holes = targets(job.index, *picks, arguments.outer);
-  if (!holes) return fail(holes.error());
-  job.holes = std::move(*holes);
-  return job;
-}
 
 /// One hole is told edge by edge, several in a line each.
 void tell(const std::vector<occt::HoleFill>& holes) {
@@ -97,6 +67,8 @@ void complainOfFailures(const std::vector<occt::HoleFill>& holes) {
 }  // namespace
 
 Outcome runFill(const FillArguments& arguments) {
+  const auto mode = arguments.solve.mode();
+  if (!mode) return complain(mode.error());
   const auto job = prepare(arguments);
   if (!job) return complain(job.error());
   if (job->holes.size() > 1 && !job->options.through.empty()) {
@@ -110,7 +82,7 @@ Outcome runFill(const FillArguments& arguments) {
   auto filled = occt::fillHoles(job->index, job->holes, job->options, interrupt.progress());
   const auto isFilled = [](const occt::HoleFill& hole) { return hole.fill.has_value(); };
   if (std::none_of(filled.begin(), filled.end(), isFilled)) return complainOnce(filled);
-  const auto all = occt::joinHoles(job->index, std::move(filled), job->mode);
+  const auto all = occt::joinHoles(job->index, std::move(filled), *mode);
   if (!all) return complain(all.error());
   const auto written = occt::writeShape(all->shape, arguments.solve.out);
   if (!written) return complain(written.error());

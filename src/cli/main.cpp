@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
 #include <OSD.hxx>
+#include <csignal>
 #include <exception>
 
 #include "cli/commands.h"
@@ -36,6 +37,11 @@ Outcome run(int argc, char** argv) {
   CLI::App* blendCommand = app.add_subcommand("blend", "join two chains of edges by a strip");
   blend.addTo(*blendCommand);
 
+  fairing::cli::CompareBlendArguments compareBlend;
+  CLI::App* compareBlendCommand = app.add_subcommand(
+      "compare-blend", "join two chains with every energy and compare the shapes");
+  compareBlend.addTo(*compareBlendCommand);
+
   fairing::cli::EditArguments edit;
   CLI::App* editCommand = app.add_subcommand("edit", "shape a face anew under guidance");
   edit.addTo(*editCommand);
@@ -52,6 +58,7 @@ Outcome run(int argc, char** argv) {
   }
   if (*fillCommand) return fairing::cli::runFill(fill);
   if (*compareCommand) return fairing::cli::runCompare(compare);
+  if (*compareBlendCommand) return fairing::cli::runCompareBlend(compareBlend);
   if (*reportCommand) return fairing::cli::runReport(report);
   if (*editCommand) return fairing::cli::runEdit(edit);
   return fairing::cli::runBlend(blend);
@@ -61,8 +68,10 @@ Outcome run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   // The kernel's file readers rely on this: a reference to nothing in a damaged file becomes an
-  // error instead of a crash.
+  // error instead of a crash. An interrupt is none, and keeps what it does.
+  const auto interrupt = std::signal(SIGINT, SIG_DFL);
   OSD::SetSignal(false);
+  std::signal(SIGINT, interrupt);
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const std::exception& error) {

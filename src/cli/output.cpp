@@ -47,7 +47,8 @@ Outcome complain(const Error& error) {
 }
 
 Result<void> checkOutputs(const std::string& out, const std::string& report) {
-  if (const auto writable = occt::checkWritable(out); !writable) return fail(writable.error());
+  if (const auto writable = out.empty() ? Result<void>{} : occt::checkWritable(out); !writable)
+    return fail(writable.error());
   return report.empty() ? Result<void>{} : checkJsonWritable(report);
 }
 

@@ -15,7 +15,7 @@ Outcome complain(const Error& error);
 
 /// Writes JSON to a file that appears complete or not at all. Fails with FileUnwritable.
 [[nodiscard]] Result<void> writeJson(const nlohmann::json& json, const std::string& path);
-/// Whether a shape may be written to `out` and, unless that is empty, writeJson() to `report`:
+/// Whether a shape may be written to `out` and writeJson() to `report`, unless these are empty:
 /// asked before any work is done.
 [[nodiscard]] Result<void> checkOutputs(const std::string& out, const std::string& report);
 

@@ -31,7 +31,12 @@ class Crew {
     if (shared != nullptr) report(*shared);  // an abort may have come before the work
     {
       std::vector<std::jthread> crew;
-      for (int i = 0; i < threads; ++i) crew.emplace_back([this] { fillWhatIsLeft(); });
+      const int share = threadsHere() / std::max(1, threads);
+      for (int i = 0; i < threads; ++i)
+        crew.emplace_back([this, share] {
+          const ThreadShare loops(share);
+          fillWhatIsLeft();
+        });
       watch(shared);
     }
     std::vector<HoleFill> fills;
@@ -176,7 +181,7 @@ std::vector<HoleFill> fillHoles(const ShapeIndex& index,
                                 const FillOptions& options,
                                 Progress* progress,
                                 int threads) {
-  const int wanted = threads > 0 ? threads : threadsOfMachine();
+  const int wanted = threads > 0 ? threads : threadsHere();
   return Crew(index, holes, options).work(progress, std::min(wanted, int(holes.size())));
 }
 

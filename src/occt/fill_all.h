@@ -37,9 +37,10 @@ struct AllFilled {
 [[nodiscard]] Result<std::vector<Picks>> chooseHoles(const ShapeIndex& index,
                                                      const HoleChoice& choice);
 
-/// Fills holes side by side on as many threads as the machine has, or `threads` of them; the result
-/// does not depend on how many. A hole that fails, in whatever way, leaves the others alone.
-/// `progress` counts all holes; aborting it stops them all.
+/// Fills holes side by side on as many threads as the machine has, or `threads` of them; what a
+/// hole itself does in parallel shares these. The result does not depend on how many. A hole that
+/// fails, in whatever way, leaves the others alone. `progress` counts all holes; aborting it stops
+/// them all.
 [[nodiscard]] std::vector<HoleFill> fillHoles(const ShapeIndex& index,
                                               const std::vector<Picks>& holes,
                                               const FillOptions& options,

@@ -16,6 +16,7 @@ void bindProgress(py::module_& module) {
            &Progress::requestFinish,
            "Asks for the best so far: no more steps towards the least energy, what they have "
            "reached is finished and returned, and the report says so.")
+      .def_property_readonly("finishing", &Progress::isFinishRequested)
       .def_property_readonly("aborted", &Progress::isAbortRequested)
       .def_property_readonly("fraction", &Progress::fraction, "Share of the work done, 0 to 1.");
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/energy/guidance.h"
 #include "text/quantities.h"
 
 namespace fairing::text {
@@ -95,6 +96,13 @@ std::string sentence(const analysis::Note& note) {
           "border.",
           note.face,
           length(note.value));
+    case analysis::NoteCode::LookUpsStopped:
+      return fmt::format(
+          "Stopped after looking the guide up {:.0f} of at most {} times: it may not be followed "
+          "to "
+          "the end.",
+          note.value,
+          energy::kLookUps + 1);
     case analysis::NoteCode::ReferenceShort:
       return fmt::format(
           "The reference does not cover {} of the surface: the energy alone shapes it there.",

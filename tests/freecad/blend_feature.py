@@ -172,10 +172,9 @@ def bad_input_leaves_the_document_as_it_was():
                                    (low, high, {"energy": "soap"}), (low, high, {"gap_tolerance": 0.0}),
                                    (low, high, {"angle_tolerance": float("nan")}),
                                    (low, high, {"to_continuity": {high[1][0]: "G7"}})):
-        assert str(support.raises(ValueError, lambda: fairing.make_blend(first, second, **options)))
+        assert support.refused(lambda: fairing.make_blend(first, second, **options))
         if second:
-            assert str(support.raises(ValueError, lambda: fairing.change_blend(blend, from_edges=first, to_edges=second,
-                                                                       **options)))
+            assert support.refused(lambda: fairing.change_blend(blend, from_edges=first, to_edges=second, **options))
         assert [(obj.Name, obj.State) for obj in document.Objects] == before
     joins(blend, low, high)
 
@@ -221,8 +220,8 @@ def picked_edges_are_told_apart_into_sides():
     assert first == [(far, ["Edge1"])] and second[0][0] is base and sorted(second[0][1]) == sorted([names[0], beside])
     first, second = two_sides([(far, ["Edge1"]), (base, names)])
     assert first == [(far, ["Edge1"])] and second[0][0] is base and sorted(second[0][1]) == sorted(names)
-    assert "no edge" in str(support.raises(ValueError, lambda: two_sides([(base, names[:1])])))
-    assert "one chain" in str(support.raises(ValueError, lambda: two_sides([(far, ["Edge1", "Edge2", "Edge3"])])))
+    assert "no edge" in support.refused(lambda: two_sides([(base, names[:1])]))
+    assert "one chain" in support.refused(lambda: two_sides([(far, ["Edge1", "Edge2", "Edge3"])]))
 
 
 def takes_edges_of_several_objects_on_a_side():
@@ -242,7 +241,7 @@ def takes_edges_of_several_objects_on_a_side():
     fairing.change_blend(blend, to_continuity={})
     joins(blend, top, left, right)
     before = blend.Shape.Area
-    assert "West.Edge" in str(support.raises(ValueError, lambda: fairing.change_blend(blend, to_continuity={"Edge1": "G0"})))
+    assert "West.Edge" in support.refused(lambda: fairing.change_blend(blend, to_continuity={"Edge1": "G0"}))
     fairing.change_blend(blend, to_edges=left)
     assert blend.ToEdges == [(west, tuple(left[1]))] and blend.Shape.Area < before - 1.0
 
@@ -266,14 +265,14 @@ def starts_at_a_sketch_on_the_face():
     assert [obj for obj, _ in blend.FromCurve] == [sketch]
     level = [face for face in blend.Shape.Faces if face.CenterOfMass.z < 1e-6]
     assert abs(sum(face.Area for face in level) - 20.0 * 7.0) < 1e-4
-    error = support.raises(ValueError, lambda: fairing.change_blend(blend, from_setback=1.0))
-    assert "by a distance and by a curve" in str(error) and blend.FromSetback.Value == 0.0
+    error = support.refused(lambda: fairing.change_blend(blend, from_setback=1.0))
+    assert "by a distance and by a curve" in error and blend.FromSetback.Value == 0.0
     fairing.change_blend(blend, from_curve=[], result="patches")
     joins(blend, low, high)
-    error = support.raises(ValueError, lambda: fairing.change_blend(blend, from_curve=(sketch, ["Edge9"])))
-    assert "Sketch has 2" in str(error), error
-    error = support.raises(ValueError, lambda: fairing.change_blend(blend, to_curve=(sketch, ["Face1"])))
-    assert "is not an edge" in str(error), error
+    error = support.refused(lambda: fairing.change_blend(blend, from_curve=(sketch, ["Edge9"])))
+    assert "Sketch has 2" in error, error
+    error = support.refused(lambda: fairing.change_blend(blend, to_curve=(sketch, ["Face1"])))
+    assert "is not an edge" in error, error
     joins(blend, low, high)
 
 

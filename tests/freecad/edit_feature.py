@@ -37,10 +37,6 @@ def lean(obj):
     return min(angle, 180.0 - angle)
 
 
-def raises(action):
-    return str(support.raises(ValueError, action))
-
-
 def a_handle_turns_the_face_and_the_border_stays():
     document, base = wavy()
     edit = fairing.make_edit(base, "Face1", guides=[handle()], lambda_=100)
@@ -75,7 +71,7 @@ def the_base_takes_the_new_face_in_place_of_the_old_one():
     base = document.addObject("Part::Box", "Box")
     base.Length = base.Width = base.Height = SIDE
     document.recompute()
-    top = next(f"Face{k}" for k, face in enumerate(base.Shape.Faces, 1) if face.CenterOfMass.z > SIDE - 1)
+    top = support.face_where(base, lambda face: face.CenterOfMass.z > SIDE - 1)
     edit = fairing.make_edit(base, top, guides=[{"point": (20, 20, SIDE), "normal": tuple(WISH), "radius": 15}],
                              lambda_=100, degree=5, spans=6, result="base")
     assert edit.Shape.ShapeType == "Solid" and edit.Shape.isValid() and len(edit.Shape.Faces) == 6
@@ -93,7 +89,7 @@ def a_converted_face_says_how_closely():
     document = App.newDocument("Cylinder")
     base = document.addObject("Part::Cylinder", "Cylinder")
     document.recompute()
-    side = next(f"Face{k}" for k, face in enumerate(base.Shape.Faces, 1) if face.Surface.TypeId.endswith("Cylinder"))
+    side = support.face_where(base, lambda face: face.Surface.TypeId.endswith("Cylinder"))
     edit = fairing.make_edit(base, side)
     assert edit.isValid() and len(edit.Notes) == 1 and "converted" in edit.Notes[0], edit.Notes
 
@@ -111,10 +107,11 @@ def a_reference_attracts():
 
 def bad_input_is_told():
     document, base = wavy()
-    assert "There is no face 7" in raises(lambda: fairing.make_edit(base, "Face7"))
-    assert "not a face" in raises(lambda: fairing.make_edit(base, "Edge1"))
-    assert "spans" in raises(lambda: fairing.make_edit(base, 1, spans=99))
-    assert "guides nothing" in raises(lambda: fairing.make_edit(base, 1, guides=[handle(point=(900, 0, 0))], lambda_=1))
+    assert "There is no face 7" in support.refused(lambda: fairing.make_edit(base, "Face7"))
+    assert "not a face" in support.refused(lambda: fairing.make_edit(base, "Edge1"))
+    assert "spans" in support.refused(lambda: fairing.make_edit(base, 1, spans=99))
+    assert "guides nothing" in support.refused(
+        lambda: fairing.make_edit(base, 1, guides=[handle(point=(900, 0, 0))], lambda_=1))
     assert document.Objects == [base]
 
 

@@ -90,6 +90,14 @@ def widget(name):
     return found[-1]
 
 
+def scroll_to(name):
+    """Brings a widget of the panel into sight, with the mouse wheel as it were."""
+    found = widget(name)
+    next(area for area in Gui.getMainWindow().findChildren(QtGui.QScrollArea)
+         if area.isAncestorOf(found)).ensureWidgetVisible(found)
+    pump(0.1)
+
+
 def type_into(name, text):
     """A number with its unit into one of FreeCAD's quantity fields."""
     widget(name).findChild(QtGui.QLineEdit).setText(text)
@@ -105,6 +113,23 @@ def press(kind):
             pump(0.1)
             return
     raise AssertionError(f"no button {kind} to press")
+
+
+def answer_message(action):
+    """What an action returns that shows a message, and the message, closed as soon as it is there."""
+    texts = []
+
+    def close():
+        box = QtGui.QApplication.activeModalWidget()
+        if box is None:
+            QtCore.QTimer.singleShot(100, close)
+        else:
+            texts.append(box.text())
+            box.accept()
+
+    QtCore.QTimer.singleShot(100, close)
+    value = action()
+    return value, texts[0] if texts else ""
 
 
 def ok():

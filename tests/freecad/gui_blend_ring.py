@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 import Part
 
 import gui
+import seen
 
 
 def arched_strip(turn):
@@ -28,6 +29,7 @@ def edge_through(obj, point):
 
 
 gui.start()
+panels = gui.keep_panels()
 
 document = App.newDocument("Vertex")
 picks = []
@@ -59,6 +61,27 @@ Gui.ActiveDocument.setEdit("Blend")
 gui.wait_for_verdict()
 assert gui.widget("ringCheck").isChecked()
 gui.press("Cancel")
+
+# Its patches meet in curvature where that is chosen: one fillet is turned, since what is symmetric does by itself.
+document.Fillet3.Placement.Rotation = App.Rotation(App.Vector(0, 0, 1), 12)
+document.recompute()
+Gui.ActiveDocument.setEdit("Blend")
+gui.wait_for_verdict()
+combo, tangent = gui.widget("innerCombo"), seen.largest_jump(panels)
+assert combo.isVisible() and combo.currentText() == "Tangent (G1)"
+combo.setCurrentText("Curvature (G2)")
+gui.wait_for_verdict()
+assert {seam["asked"] for seam in seen.report(panels)["seams"] if not seam["crease"]} == {"G2"}
+limit = seen.report(panels)["limits"]["curvature"]
+assert seen.largest_jump(panels) <= limit < tangent, (seen.largest_jump(panels), tangent)
+gui.scroll_to("innerCombo")
+gui.picture("blend_between_patches")
+assert not seen.cut_off(), seen.cut_off()
+lines = seen.lines_run(gui.ok)
+assert "fairing.change_blend(FreeCAD.ActiveDocument.getObject('Blend'), inner_continuity='G2')" in lines, lines
+assert blend.InnerContinuity == "G2" and blend.isValid()
+document.undo()
+assert blend.InnerContinuity == "G1"
 
 # Closed ones: a junction, whose cuts are shown by edges.
 document = App.newDocument("Junction")

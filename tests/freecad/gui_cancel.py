@@ -6,9 +6,12 @@ import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 
 import gui
+import seen
 import support
+from fairing.choices import ENERGIES
 
 LONG_ANGLE = 1e-9  # degrees: out of reach, so that the refinement goes on for seconds
 
@@ -51,6 +54,7 @@ def scene_size():
 
 
 gui.start()
+panels = gui.keep_panels()
 document, base, edges = support.example()
 view = gui.look_at_all()
 nodes = scene_size()
@@ -101,6 +105,14 @@ gui.key("Escape")
 gui.wait_for(lambda: not gui.panel_is_open(), "Esc to close the panel")
 nothing_is_left(document, nodes)
 
+# Closed by somebody else.
+start_a_long_solve(document, edges[0])
+Gui.Control.closeDialog()
+gui.pump(0.2)
+nothing_is_left(document, nodes)
+Gui.Selection.addSelection(document.Name, "Base", "Vertex1")
+assert [pick.SubElementNames for pick in Gui.Selection.getSelectionEx()] == [("Vertex1",)], "the gate is still there"
+
 # OK pressed before the surface is there waits for it and no longer.
 open_panel(document, edges[0])
 gui.ok()
@@ -134,6 +146,44 @@ gui.wait_for_verdict()
 gui.press("Cancel")
 assert document.Fill.Energy == "membrane" and document.Fill.ViewObject.Visibility
 assert len(document.UndoNames) == 2
+
+# Nor does the end of editing by somebody else change anything.
+size = scene_size()
+Gui.ActiveDocument.setEdit("Fill")
+gui.wait_for_verdict()
+assert not document.Fill.ViewObject.Visibility
+Gui.ActiveDocument.resetEdit()
+gui.wait_for(lambda: not gui.panel_is_open(), "the panel to go")
+gui.pump(0.1)
+assert document.Fill.ViewObject.Visibility and scene_size() == size and len(document.UndoNames) == 2
+
+# Stop on the way to a minimum: OK takes the best so far as it is shown; asked again, it is taken to the end.
+open_panel(document, edges[0])
+gui.widget("previewCheck").setChecked(False)
+gui.widget("layoutCombo").setCurrentText("Quad")
+gui.widget("degreeSpin").setValue(9)
+gui.widget("energyCombo").setCurrentIndex(ENERGIES.index("minimum-variation"))
+gui.settle()
+gui.widget("previewCheck").setChecked(True)
+gui.wait_for(lambda: gui.widget("stopButton").isVisible(), "the progress bar on the way to a minimum")
+gui.widget("stopButton").click()
+gui.wait_for_verdict("Meets")
+assert "Stopped after" in gui.verdict(), gui.verdict()
+shown = seen.drawn_points(panels)
+before = {obj.Name for obj in document.Objects}
+gui.ok()
+made, = [obj for obj in document.Objects if obj.Name not in before]
+assert made.Energy == "minimum-variation" and made.isValid()
+farthest = max(made.Shape.distToShape(Part.Vertex(*point))[0] for point in list(shown)[::50])
+assert farthest < 1e-3, "OK takes what is shown"
+stopped = made.Shape.Area
+made.touch()
+document.recompute()
+assert abs(made.Shape.Area - stopped) > 1e-3, (made.Shape.Area, stopped)
+Gui.ActiveDocument.setEdit(made.Name)
+gui.wait_for_verdict()
+assert "Stopped after" not in gui.verdict(), gui.verdict()
+gui.press("Cancel")
 
 # The document closes under the panel, idle and solving.
 App.closeDocument(document.Name)

@@ -8,6 +8,7 @@ import Part
 from pivy import coin
 
 import gui
+from seen import lines_run
 import support
 
 RADIUS, SIZE = 12.0, 60.0
@@ -22,6 +23,10 @@ def nodes(kind):
     search.apply(Gui.ActiveDocument.ActiveView.getSceneGraph())
     paths = search.getPaths()
     return [paths[k].getTail() for k in range(paths.getLength())]
+
+
+def view_children():
+    return Gui.ActiveDocument.ActiveView.getSceneGraph().getNumChildren()
 
 
 def pictures():
@@ -62,7 +67,7 @@ view = gui.look_at_all()
 assert gui.action_is_enabled("Fairing_CurvaturePicture")
 gui.select(document, (pipe, "Edge1"))
 assert not gui.action_is_enabled("Fairing_CurvaturePicture"), "an edge has no curvature to show"
-wall = next(f"Face{k}" for k, face in enumerate(pipe.Shape.Faces, 1) if isinstance(face.Surface, Part.Cylinder))
+wall = support.face_where(pipe, lambda face: isinstance(face.Surface, Part.Cylinder))
 gui.select(document, (pipe, wall))
 Gui.runCommand("Fairing_CurvaturePicture")
 gui.settle()
@@ -201,7 +206,7 @@ assert pictures() == 1
 gui.picture("48_blend_mean_curvature")
 gui.press("Cancel")
 assert pictures() == 0
-top = next(f"Face{k}" for k, face in enumerate(box.Shape.Faces, 1) if face.CenterOfMass.z == 30.0)
+top = support.face_where(box, lambda face: face.CenterOfMass.z == 30.0)
 gui.select(document, (box, top))
 Gui.runCommand("Fairing_EditSurface")
 gui.settle()
@@ -225,17 +230,54 @@ assert fairing.show_curvature([ball], "zebra")
 gui.settle()
 assert gui.widget("pictureCombo").currentText() == "Zebra" and pictures() == 1
 gui.press("Close")
-lines, do_command = [], Gui.doCommand
-Gui.doCommand = lambda line: (lines.append(line), do_command(line))
 gui.select(document, (ball, "Face1"))
-Gui.runCommand("Fairing_CurvaturePicture")
+lines = lines_run(lambda: Gui.runCommand("Fairing_CurvaturePicture"))
 gui.settle()
-Gui.doCommand = do_command
 assert lines == ["fairing.show_curvature([(FreeCAD.ActiveDocument.getObject('Ball'), ['Face1'])])"], lines
 assert gui.widget("facesLabel").text() == "Ball: Face1"
 gui.press("Close")
-support.raises(ValueError, lambda: fairing.show_curvature([ball], "warmth"))
+support.refused(lambda: fairing.show_curvature([ball], "warmth"))
 assert not gui.panel_is_open() and pictures() == 0
+
+# While another panel is open there is none: a sentence says so, and nothing of it stays.
+gui.select(document, (ball, "Face1"))
+Gui.runCommand("Fairing_FillHole")
+gui.settle()
+children = view_children()
+refused = gui.answer_message(lambda: fairing.show_curvature([ball]))
+assert refused == (False, "Another task panel is open: close it first."), refused
+gui.settle()
+assert pictures() == 0 and view_children() == children
+gui.press("Cancel")
+
+# Closed by somebody else it takes its picture and its ears along.
+before = view_children()
+assert fairing.show_curvature([ball])
+gui.settle()
+assert pictures() == 1 and view_children() > before
+Gui.Control.closeDialog()
+gui.pump(0.1)
+assert pictures() == 0 and view_children() == before
+gui.select(document, (ball, "Face1"))
+gui.settle()
+assert pictures() == 0 and not gui.panel_is_open()
+App.closeDocument(document.Name)
+
+# With nothing selected all that is to be seen: of a body the body alone, not its tip, too.
+document = App.newDocument("Body")
+body = document.addObject("PartDesign::Body", "Body")
+pad = body.newObject("PartDesign::AdditiveBox", "Pad")
+gui.part(document, "Ball", Part.makeSphere(4, App.Vector(30, 0, 0)))
+gui.part(document, "Hidden", Part.makeSphere(4, App.Vector(60, 0, 0))).ViewObject.Visibility = False
+document.recompute()
+gui.look_at_all()
+assert body.Tip == pad and pad.ViewObject.Visibility
+Gui.Selection.clearSelection()
+Gui.runCommand("Fairing_CurvaturePicture")
+gui.settle()
+assert gui.widget("facesLabel").text() == "Body, Ball", gui.widget("facesLabel").text()
+assert len(nodes(coin.SoTextureCoordinate2)) == 2
+gui.press("Close")
 App.closeDocument(document.Name)
 
 # A document closed under the panel takes the picture with it.

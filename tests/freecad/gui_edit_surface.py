@@ -6,6 +6,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 import gui
+import support
 from seen import handle_arrow
 
 SIDE = 40.0
@@ -19,7 +20,7 @@ box.Length = box.Width = box.Height = SIDE
 document.recompute()
 view = gui.look_at_all()
 centre = App.Vector(SIDE / 2, SIDE / 2, SIDE)
-top = next(f"Face{k}" for k, face in enumerate(box.Shape.Faces, 1) if face.CenterOfMass.isEqual(centre, 1e-6))
+top = support.face_where(box, lambda face: face.CenterOfMass.isEqual(centre, 1e-6))
 
 # One face is needed; an edge is none.
 Gui.Selection.addSelection("Box", "Box", "Edge1")

@@ -42,10 +42,6 @@ def lean(fill, point, wish):
     return math.degrees(normal_at(fill, point).getAngle(App.Vector(*wish)))
 
 
-def raises(action):
-    return str(support.raises(ValueError, action))
-
-
 def a_handle_turns_the_surface_and_lives_below_it():
     document, fill, middle = guided()
     handle, = fill.Guides
@@ -94,7 +90,7 @@ def a_normal_is_taken_from_a_face_an_edge_and_a_datum():
     box.Placement = App.Placement(App.Vector(0, 0, 100), App.Rotation(App.Vector(0, 1, 0), 20))
     document.recompute()
     handle, = fill.Guides
-    top = next(f"Face{k}" for k, face in enumerate(box.Shape.Faces, 1) if face.normalAt(0, 0).z > 0.9)
+    top = support.face_where(box, lambda face: face.normalAt(0, 0).z > 0.9)
     wish = box.Placement.Rotation.multVec(App.Vector(0, 0, 1))
     handle.Direction = (box, [top])
     document.recompute()
@@ -142,7 +138,7 @@ def wrong_guides_are_told_and_change_nothing():
                        ({"point": at, "normal": (0, 0, 0), "radius": 1}, "normal is zero"),
                        ({"point": at, "normal": (0, 0), "radius": 1}, "three numbers"),
                        ({"point": at, "direction": (document.Base, "Face99"), "radius": 1}, "There is no Face99")):
-        sentence = raises(lambda: fairing.change_fill(fill, guides=[guide]))
+        sentence = support.refused(lambda: fairing.change_fill(fill, guides=[guide]))
         assert why in sentence, sentence
     assert fill.Shape.Area == area and len(fill.Guides) == 1 and fill.isValid()
 
@@ -203,7 +199,7 @@ def a_reference_of_several_objects():
     assert 0.0 < pulled.GuideRmsDistance.Value < 6.0 and pulled.GuideCovered > 0.5, pulled.GuideCovered
     sketch = document.addObject("Part::Feature", "Line")
     sketch.Shape = Part.makeLine(App.Vector(), App.Vector(1, 0, 0))
-    assert "Line has no face" in raises(lambda: fairing.change_fill(pulled, reference=sketch))
+    assert "Line has no face" in support.refused(lambda: fairing.change_fill(pulled, reference=sketch))
 
 
 def a_reference_of_an_older_version_is_kept():
@@ -248,7 +244,7 @@ def a_surface_follows_a_curve():
     at = fill.Guides[0].Points[len(fill.Guides[0].Points) // 2]
     theirs = wish.normalAt(*wish.Surface.parameter(at))
     assert abs(theirs.dot(fill.Guides[0].Normals[len(fill.Guides[0].Points) // 2])) > 0.9999
-    assert "has no edge" in raises(lambda: fairing.change_fill(
+    assert "has no edge" in support.refused(lambda: fairing.change_fill(
         fill, guides=[{"curve": document.addObject("Part::Vertex", "V"), "radius": 1}]))
 
 
@@ -265,7 +261,7 @@ def a_mesh_is_a_reference():
     points, triangles = flipped.Topology
     triangles[3] = triangles[3][::-1]
     mesh.Mesh = Mesh.Mesh((points, triangles))
-    assert "Harmonise its normals" in raises(lambda: fairing.change_fill(pulled, reference=mesh))
+    assert "Harmonise its normals" in support.refused(lambda: fairing.change_fill(pulled, reference=mesh))
 
 
 support.run_all(globals())

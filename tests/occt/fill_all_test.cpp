@@ -7,10 +7,13 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <mutex>
 #include <numbers>
+#include <set>
 #include <string>
 #include <thread>
 
+#include "core/base/parallel_for.h"
 #include "occt/find_holes.h"
 #include "occt/reference.h"
 #include "occt/shape_bytes.h"
@@ -106,6 +109,31 @@ TEST(FillAll, GivesTheSameWithAReferenceThatAllThreadsAsk) {
     ASSERT_TRUE(serial[i].fill.has_value() && parallel[i].fill.has_value());
     EXPECT_EQ(serial[i].fill->fill.patches[0].poles, parallel[i].fill->fill.patches[0].poles);
   }
+}
+
+TEST(FillAll, StartsNoFurtherThreadsForWhatAHoleDoesInParallel) {
+  const ShapeIndex index(sheetWithNineHoles());
+  const auto chosen = chooseHoles(index, {});
+  ASSERT_TRUE(chosen.has_value());
+  auto reference = referenceOn(grid(wavedSheet(), {0, 0.5, 1}, {0, 0.5, 1}, {}));
+  ASSERT_TRUE(reference.has_value());
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  FillOptions options;
+  options.guidance.gamma = 1.0;
+  options.guidance.reference = [&](const Eigen::Vector3d& near) {  // asked by loops in parallel
+    {
+      const std::lock_guard lock(mutex);
+      seen.insert(std::this_thread::get_id());
+    }
+    return (*reference)(near);
+  };
+  const ThreadShare two(2);
+  for (const HoleFill& hole : fillHoles(index, *chosen, options))
+    EXPECT_TRUE(hole.fill.has_value());
+  EXPECT_FALSE(seen.empty());
+  EXPECT_LE(seen.size(), 2u);
+  EXPECT_EQ(threadsHere(), 2);
 }
 
 TEST(FillAll, LeavesTheOthersAloneWhereOneHoleFails) {

@@ -11,6 +11,7 @@ sys.path[:0] = ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/Mod/Part"]
 import FreeCAD  # noqa: E402,F401  Part needs it to be loaded first
 import Part  # noqa: E402
 from FreeCAD import Vector  # noqa: E402
+from interrupts import interrupted  # noqa: E402
 
 PROGRAM = os.environ["FAIRING_BINARY"]
 CELLS = 3
@@ -371,8 +372,20 @@ def test_refuses_blends_that_make_no_sense(two_planes, tmp_path):
     assert not out.exists()
 
 
+def test_an_interrupt_writes_the_best_so_far(sheet, tmp_path):
+    path, edges = sheet
+    out, report = tmp_path / "out.brep", tmp_path / "report.json"
+    status, done, told = interrupted("fill", path, "-o", out, "--edges", edges[0], "--report", report,
+                                     "--energy", "minimum-variation")
+    assert status == 0 and not told, told
+    assert read(out).isValid() and done.startswith("Meets all 4 edges"), done
+    hole, = json.loads(report.read_text())["holes"]
+    assert hole["solve"]["shape"]["end"] == "stopped"
+    assert any(note["text"].startswith("Stopped after ") for note in hole["notes"])
+
+
 def test_explains_itself():
-    for arguments in (["--help"], ["fill", "--help"], ["blend", "--help"], ["report", "--help"]):
+    for arguments in (["--help"], ["fill", "--help"], ["blend", "--help"], ["report", "--help"], ["compare-blend", "--help"]):
         done = run(*arguments)
         assert done.returncode == 0 and "SHAPE" in done.stdout or "fill" in done.stdout
     assert run("--version").stdout.startswith("fairing ")

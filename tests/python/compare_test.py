@@ -11,6 +11,7 @@ import pytest
 
 import fairing
 from fairing.choices import ENERGIES
+from interrupts import interrupted
 
 PROGRAM = os.environ["FAIRING_BINARY"]
 RADIUS = 30.0
@@ -74,10 +75,20 @@ def test_only_the_energies_asked_for_and_an_unknown_one_is_told(sphere):
         fairing.compare(sphere, [999])
 
 
-def test_a_blend_is_compared_in_the_same_way():
-    pipes = Part.makeCompound([Part.makeCircle(10, App.Vector(0, 0, z)).extrude(App.Vector(0, 0, 20)) for z in (0, 45)])
-    rims = [next(k for k, edge in enumerate(pipes.Edges, 1) if edge.CenterOfMass.isEqual(App.Vector(0, 0, z), 1e-6))
-            for z in (20, 45)]
+@pytest.fixture(scope="module")
+def pipes():
+    """Two pipes one above the other, and the rims that face each other."""
+    shape = Part.makeCompound([Part.makeCircle(10, App.Vector(0, 0, z)).extrude(App.Vector(0, 0, 20)) for z in (0, 45)])
+    return shape, [next(k for k, edge in enumerate(shape.Edges, 1)
+                        if edge.CenterOfMass.isEqual(App.Vector(0, 0, z), 1e-6)) for z in (20, 45)]
+
+
+def compare(command, *arguments):
+    return subprocess.run([PROGRAM, command, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+def test_a_blend_is_compared_in_the_same_way(pipes):
+    pipes, rims = pipes
     energies = ("thin-plate", "minimum-variation")
     reports = fairing.compare_blend(pipes, rims[:1], rims[1:], energies=energies)
     told = {report["energy"]: report["fairness"] for report in reports}
@@ -120,3 +131,64 @@ def test_several_holes_ask_for_a_pick(tmp_path):
     plate.exportBrep(str(path))
     done = subprocess.run([PROGRAM, "compare", path], capture_output=True, text=True)
     assert done.returncode == 2 and "--edges" in done.stderr
+
+
+def test_the_command_line_compares_blends_in_the_same_words(pipes, tmp_path):
+    shape, rims = pipes
+    path, json_path = tmp_path / "pipes.brep", tmp_path / "report.json"
+    shape.exportBrep(str(path))
+    picks = ("--from", rims[0], "--to", rims[1], "--reach-from", 1.5, "--continuity", "G2")
+    done = compare("compare-blend", path, *picks, "--energies", "thin-plate,minimum-variation", "--report", json_path)
+    assert done.returncode == 0 and not done.stderr, done.stderr
+    reports = fairing.compare_blend(shape, rims[:1], rims[1:], from_reach=1.5, continuity="G2",
+                                    energies=("thin-plate", "minimum-variation"))
+    lines = done.stdout.splitlines()
+    assert lines[0].split()[:4] == ["energy", "gap", "angle", "curvature"] and len(lines) == 4
+    told = json.loads(json_path.read_text())["energies"]
+    assert [item["energy"] for item in told] == ["thin-plate", "minimum-variation"]
+    for line, item, report in zip(lines[2:], told, reports):
+        assert line.split()[0] == item["energy"]
+        assert item["layout"] == report["layout"] == "strip"
+        for name in VALUES:
+            assert item["fairness"][name] == pytest.approx(report["fairness"][name], rel=1e-6)
+        assert f" {report['fairness']['total_curvature']:.4g} " in line
+    grouped = compare("compare-blend", path, "--edges", f"{rims[0]},{rims[1]}", "--energies", "membrane")
+    assert grouped.returncode == 0 and grouped.stdout.splitlines()[2].startswith("membrane ")
+
+
+def test_a_hole_is_compared_with_what_a_fill_takes(sphere, tmp_path):
+    path = tmp_path / "sphere.brep"
+    sphere.exportBrep(str(path))
+    edge = fairing.holes(sphere)[0][0][4:]
+    done = compare("compare", path, "--edges", edge, "--through", "0,0,33", "--inner-continuity", "G2",
+                   "--quadrature", "lobatto", "--energies", "thin-plate", "--report", tmp_path / "report.json")
+    assert done.returncode in (0, 1) and not done.stderr, done.stderr
+    item, = json.loads((tmp_path / "report.json").read_text())["energies"]
+    assert item["inner"][0]["gap"]["max"] < 1e-3 and {seam["asked"] for seam in item["seams"]} == {"G2"}
+
+
+def test_comparing_blends_names_what_is_wrong(pipes, tmp_path):
+    shape, rims = pipes
+    path = tmp_path / "pipes.brep"
+    shape.exportBrep(str(path))
+    sides = ["--from", rims[0], "--to", rims[1]]
+    for arguments, word in (([*sides, "--energies", "soap"], "soap"), (["--from", 999, "--to", rims[1]], "999"),
+                            (["--from", rims[0]], 'side "to"'), ([*sides, "--report", tmp_path / "no" / "r.json"], "r.json"),
+                            ([*sides, "-o", "out.brep"], "-o"), ([*sides, "--energy", "membrane"], "--energy")):
+        done = compare("compare-blend", path, *arguments)
+        assert done.returncode == 2 and word in done.stderr and len(done.stderr.splitlines()) == 1, done.stderr
+        assert not done.stdout
+
+
+def test_an_interrupt_ends_a_comparison_with_what_there_is(pipes, sphere, tmp_path):
+    for name, shape, command in (("pipes", pipes[0], ["compare-blend", "--from", pipes[1][0], "--to", pipes[1][1]]),
+                                 ("sphere", sphere, ["compare", "--edges", fairing.holes(sphere)[0][0]])):
+        path, json_path = tmp_path / f"{name}.brep", tmp_path / f"{name}.json"
+        shape.exportBrep(str(path))
+        status, out, told = interrupted(command[0], path, *command[1:], "--report", json_path,
+                                        "--energies", "minimum-variation,thin-plate,membrane")
+        assert status == 1, told
+        done, = json.loads(json_path.read_text())["energies"]
+        assert done["energy"] == "minimum-variation" and done["solve"]["shape"]["end"] == "stopped"
+        assert [line.split()[0] for line in out.splitlines()[2:]] == ["minimum-variation"]
+        assert told == "fairing: Stopped: minimum-variation is the best so far; not compared: thin-plate, membrane.\n"

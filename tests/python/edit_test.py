@@ -13,6 +13,7 @@ import pytest
 
 import fairing
 from fairing import _fairing as native
+from interrupts import interrupted
 
 PROGRAM = os.environ["FAIRING_BINARY"]
 SIDE = 40.0
@@ -191,3 +192,16 @@ def test_the_command_line_says_what_is_wrong(tmp_path, arguments, sentence):
     done = run(tmp_path / "face.brep", "-o", tmp_path / "out.brep", *arguments)
     assert done.returncode == 2 and sentence in done.stderr
     assert not (tmp_path / "out.brep").exists()
+
+
+def test_an_interrupt_ends_an_edit_with_the_latest_look(face, tmp_path):
+    face.exportBrep(str(tmp_path / "face.brep"))
+    handle = {"point": list(face.CenterOfMass), "normal": [0.5, 0.0, 1.0], "weight": 1.0, "radius": 10.0}
+    (tmp_path / "guide.json").write_text(json.dumps({"normals": [handle]}))
+    status, out, told = interrupted("edit", tmp_path / "face.brep", "-o", tmp_path / "out.brep", "--face", 1, "--spans", 40,
+                                    "--lambda", 100, "--gamma", 1, "--guide", tmp_path / "guide.json")
+    assert status == 0 and not told, told
+    assert "Note: Stopped after looking the guide up 1 of at most 6 times" in out, out
+    made = Part.Shape()
+    made.read(str(tmp_path / "out.brep"))
+    assert made.isValid() and len(made.Faces) == 1

@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Solving on a thread: others go on meanwhile, and it can be stopped."""
 
+import json
 import threading
 import time
 
 import pytest
 
-from fairing import _fairing
+from fairing import _fairing, exchange
+from fairing.choices import SOLVED
+from fairing.comparison import solve_each
+from fairing.edit_request import EditRequest
+from fairing.fill_all_request import FillAllRequest
+from fairing.fill_request import FillRequest
 
 OUT_OF_REACH = 1e-9  # degrees; refining towards it takes seconds
 
@@ -74,3 +80,53 @@ def test_finish_takes_the_best_so_far(shape, edges):
     assert fill.report["solve"]["shape"]["end"] == "stopped"
     assert fill.report["within_tolerance"]
     assert any(note["text"].startswith("Stopped after 0 steps") for note in fill.report["notes"])
+
+
+def end_of(fill):
+    return fill.report["solve"]["shape"]["end"]
+
+
+def stopped(request, brep):
+    """What a request gives that is asked for the best so far at once."""
+    progress = _fairing.Progress()
+    progress.finish()
+    assert progress.finishing
+    return request.solve(brep, progress)
+
+
+def test_what_was_stopped_is_no_answer_to_a_later_request(sheet, edges):
+    brep = exchange.data_of(sheet)
+    one = FillRequest.of(edges[:1], energy="minimum-variation")
+    assert end_of(stopped(one, brep)) == "stopped"
+    assert end_of(one.solve(brep)) != "stopped"
+    assert one.solve(brep) is one.solve(brep), "what is solved to the end is kept"
+    assert stopped(one, brep) is one.solve(brep), "and better than the best so far"
+    every = FillAllRequest(energy="total-curvature")
+    assert end_of(stopped(every, brep).holes[0].fill) == "stopped"
+    assert end_of(every.solve(brep).holes[0].fill) != "stopped"
+    stopped(FillRequest.of(edges[:1], energy="total-curvature"), brep)
+    solved = next(solve_each(FillRequest.of(edges[:1]), brep, ("total-curvature",)))
+    assert end_of(solved.fill) != "stopped", "nor to a comparison"
+
+
+def test_what_is_taken_answers_while_it_is_taken(sheet, edges):
+    brep = exchange.data_of(sheet)
+    request = FillRequest.of(edges[:1], energy="mean-curvature-gradient-minimum")
+    best = stopped(request, brep)
+    with SOLVED.taking(request, brep, best):
+        assert FillRequest.of(edges[:1], energy="mean-curvature-gradient-minimum").solve(brep) is best
+        assert FillRequest.of(edges[:1]).solve(brep) is not best
+    assert request.solve(brep) is not best and end_of(request.solve(brep)) != "stopped"
+
+
+def test_finish_takes_the_latest_look_at_what_guides_an_edit(sheet):
+    brep = exchange.data_of(sheet)
+    face = sheet.Faces[0]
+    handle = [{"point": tuple(face.CenterOfMass), "normal": (0.5, 0.0, 1.0), "weight": 1.0, "radius": 20.0}]
+    request = EditRequest(face=1, degree=5, spans=6, lambda_=1e4, gamma=1.0, guide=json.dumps(handle))
+    early = stopped(request, brep)
+    assert [note["text"] for note in early.report["notes"]] == [
+        "Stopped after looking the guide up 1 of at most 6 times: it may not be followed to the end."]
+    late = request.solve(brep)
+    assert not any(note["text"].startswith("Stopped") for note in late.report["notes"])
+    assert late.report["energy"] != early.report["energy"]

@@ -11,7 +11,7 @@ from .. import exchange, native, paths, selection, subelements
 from ..features.placement import shape_in
 from ..pictures import PICTURES
 from ..translation import translate
-from . import task_boxes
+from . import opening, task_boxes
 from .background import BackgroundSolver
 from .curvature_view import CurvatureView
 from .message import show_problem
@@ -29,13 +29,11 @@ class CurvaturePanel:
         message, where that cannot be. Raises ValueError for another word."""
         if picture not in PICTURES:
             raise ValueError(f"{picture!r} is no picture: {', '.join(PICTURES)} are.")
-        problem = native.problem()
+        problem = opening.obstacle()
         if problem:
             show_problem(problem)
             return False
-        panel = cls(App.ActiveDocument, picks, picture)
-        Gui.Control.showDialog(panel)
-        QtCore.QTimer.singleShot(0, lambda: panel._is_closed or task_boxes.make_room(panel.form[0]))
+        opening.put_up(cls(App.ActiveDocument, picks, picture))
         return True
 
     def __init__(self, document: App.Document, picks, picture: str):
@@ -102,12 +100,20 @@ class CurvaturePanel:
     def _say(self, text: str) -> None:
         self._ui.facesLabel.setText(text)
 
+    def gone(self) -> None:
+        """Takes away the picture, and listens no longer."""
+        if not self._is_closed:
+            self._curvature.remove()
+            self._detach()
+
+    def make_room(self) -> None:
+        if not self._is_closed:
+            task_boxes.make_room(self.form[0])
+
     def _close(self) -> None:
-        if self._is_closed:
-            return
-        self._curvature.remove()
-        self._detach()
-        Gui.Control.closeDialog()
+        if not self._is_closed:
+            self.gone()
+            Gui.Control.closeDialog()
 
     def _document_closed(self) -> None:
         self._curvature.detach()

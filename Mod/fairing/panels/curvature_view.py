@@ -6,10 +6,10 @@ from __future__ import annotations
 import FreeCAD as App
 import numpy as np
 from pivy import coin
-from PySide import QtCore
 
 from ..pictures import NONE, QUANTITIES, ZEBRA, is_signed
 from .mesh_hit import nearest_triangle
+from .pause import pause
 from .picture_box import PictureBox
 from .picture_drawing import PictureDrawing
 from .scene_mouse import SceneMouse
@@ -25,10 +25,7 @@ class CurvatureView:
         self._view, self._mouse, self._drawing = view, SceneMouse(view), PictureDrawing(view)
         self._pictures, self._ranging, self._meshes, self._values = [], 0, [], []
         self._placement, self._ray = App.Placement(), None
-        self._rest = QtCore.QTimer(ui)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(REST)
-        self._rest.timeout.connect(self._read_place)
+        self._rest = pause(ui, REST, self._read_place)
         self._callback = self._moved  # removal goes by identity
         view.addEventCallbackPivy(coin.SoLocation2Event.getClassTypeId(), self._callback)
 

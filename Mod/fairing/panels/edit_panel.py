@@ -6,7 +6,6 @@ from __future__ import annotations
 from typing import Optional
 
 import FreeCAD as App
-from PySide import QtCore
 
 from .. import selection, subelements
 from ..choices import EDIT_ENERGIES, KEEPS, RESULTS
@@ -16,6 +15,7 @@ from .edit_display import EditDisplay
 from .edit_session import EditSession
 from .fill_choices import TYPING_PAUSE
 from .guided_panel import GuidedPanel
+from .pause import pause
 from .solving_panel import SolvingPanel
 from .status import Status
 
@@ -31,10 +31,7 @@ class FacePanel(SolvingPanel):
     def _set_up(self) -> None:
         ui, session = self._ui, self._session
         self._display = EditDisplay(self._view, session)
-        self._pause = QtCore.QTimer(ui)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(TYPING_PAUSE)
-        self._pause.timeout.connect(self._read)
+        self._pause = pause(ui, TYPING_PAUSE, self._read)
         request = session.request
         ui.keepCombo.setCurrentIndex(KEEPS.index(request.keep or KEEPS[0]))
         ui.energyCombo.setCurrentIndex(EDIT_ENERGIES.index(request.energy))

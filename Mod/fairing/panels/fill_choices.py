@@ -6,8 +6,9 @@ from __future__ import annotations
 import FreeCAD as App
 from PySide import QtCore
 
-from ..choices import ENERGIES, LAYOUTS, RESULTS
+from ..choices import ENERGIES, INNER, LAYOUTS, RESULTS
 from ..translation import translate
+from .pause import pause
 from .quantities import show_quantity
 
 ANGLE_STEP = 0.01  # degrees, of the arrows beside the number
@@ -28,8 +29,8 @@ def energy_sentences() -> tuple[str, ...]:
 
 
 class LimitChoices(QtCore.QObject):
-    """Shows the choices of a session that any surface has, energy, result and limits, and writes the user's into it;
-    the rest of the form is hidden. Emits changed()."""
+    """Shows the choices of a session that any surface has, energy, result, limits and how patches meet, and
+    writes the user's into it; the rest of the form is hidden. Emits changed()."""
 
     changed = QtCore.Signal()
     HIDDEN = ("layoutLabel", "layoutCombo")
@@ -39,10 +40,7 @@ class LimitChoices(QtCore.QObject):
         self._ui, self._session = ui, session
         for position, sentence in enumerate(energy_sentences()):
             ui.energyCombo.setItemData(position, sentence, QtCore.Qt.ToolTipRole)
-        self._pause = QtCore.QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(TYPING_PAUSE)
-        self._pause.timeout.connect(self._read)
+        self._pause = pause(self, TYPING_PAUSE, self._read)
         for name in self.HIDDEN:
             getattr(ui, name).setVisible(False)
         self._show()
@@ -65,11 +63,12 @@ class LimitChoices(QtCore.QObject):
         show_quantity(ui.gapSpin, request.gap_tolerance or 0.0, App.Units.Length)
         ui.degreeSpin.setValue(request.degree or ui.degreeSpin.minimum())
         ui.polesSpin.setValue(request.max_poles)
+        ui.innerCombo.setCurrentIndex(INNER.index(request.inner_continuity))
         self._show_hints()
 
     def _connect(self) -> None:
         ui = self._ui
-        for combo in (ui.energyCombo, ui.resultCombo):
+        for combo in (ui.energyCombo, ui.resultCombo, ui.innerCombo):
             combo.currentIndexChanged.connect(self._read)
         ui.gapAutoCheck.toggled.connect(self._read)
         for widget in (ui.degreeSpin, ui.polesSpin, ui.gapSpin, ui.angleSpin):
@@ -88,7 +87,8 @@ class LimitChoices(QtCore.QObject):
             energy=ENERGIES[ui.energyCombo.currentIndex()], result=RESULTS[ui.resultCombo.currentIndex()],
             gap_tolerance=None if ui.gapAutoCheck.isChecked() else ui.gapSpin.property("rawValue"),
             angle_tolerance=ui.angleSpin.property("rawValue"),
-            degree=0 if degree == ui.degreeSpin.minimum() else degree, max_poles=ui.polesSpin.value())
+            degree=0 if degree == ui.degreeSpin.minimum() else degree, max_poles=ui.polesSpin.value(),
+            inner_continuity=INNER[ui.innerCombo.currentIndex()])
 
     def _show_hints(self, *_) -> None:
         """What depends on other choices: sentences, labels, what is enabled."""

@@ -8,6 +8,7 @@ from PySide import QtCore
 
 from ..choices import DEPARTURES, MATCHES
 from .fill_choices import TYPING_PAUSE
+from .pause import pause
 from .quantities import show_quantity
 from .sliders import ShareSlider
 
@@ -23,10 +24,7 @@ class MoreChoices(QtCore.QObject):
         super().__init__(ui)
         self._ui, self._session = ui, session
         self._alignment = ShareSlider(ui.alignmentSlider, ui.alignmentSpin, session.request.alignment)
-        self._pause = QtCore.QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(TYPING_PAUSE)
-        self._pause.timeout.connect(self._read)
+        self._pause = pause(self, TYPING_PAUSE, self._read)
         self._show()
         self._connect()
         ui.moreButton.setChecked(self._differ())

@@ -13,6 +13,7 @@ from ..pictures import NONE, PICTURES, QUANTITIES, SYMBOLS, UNITS, ZEBRA, is_sig
 from ..translation import translate
 from . import picture_colors as colors
 from .fill_choices import TYPING_PAUSE
+from .pause import pause
 from .quantities import point_text
 
 FIGURES = 4  # of a curvature
@@ -27,10 +28,7 @@ class PictureBox(QtCore.QObject):
     def __init__(self, ui):
         super().__init__(ui)
         self._ui = ui
-        self._pause = QtCore.QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(TYPING_PAUSE)
-        self._pause.timeout.connect(self._typed)
+        self._pause = pause(self, TYPING_PAUSE, self._typed)
         for field in (ui.pictureLow, ui.pictureHigh):
             field.setValidator(_NumberValidator(field))
             field.textEdited.connect(lambda *_: self._edited())

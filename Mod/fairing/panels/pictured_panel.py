@@ -91,6 +91,7 @@ class PicturedPanel(SolvingPanel):
             self._curvature.detach()
         super()._detach()
 
-    def _close(self) -> None:
-        self._curvature.remove()
-        super()._close()
+    def gone(self) -> None:
+        if not self._is_closed:
+            self._curvature.remove()
+        super().gone()

@@ -12,13 +12,14 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import native, paths, settings
-from ..choices import LONG_ENERGIES
+from ..choices import LONG_ENERGIES, SOLVED
 from ..selection import Wanted
 from ..translation import translate
-from . import task_boxes
+from . import opening, task_boxes
 from .background import BackgroundSolver
 from .fill_choices import FillChoices
 from .message import show_problem
+from .pause import pause
 from .picking import ClosingDocument, EscapeKey, Picking
 from .status import Status
 
@@ -40,7 +41,7 @@ class SolvingPanel:
     @classmethod
     def launch(cls, make_session: Callable[[], object]) -> bool:
         """False, with a message, where the panel cannot be."""
-        problem = native.problem()
+        problem = opening.obstacle()
         try:
             session = None if problem else make_session()
         except ValueError as error:  # a property holds what cannot be shown
@@ -48,9 +49,7 @@ class SolvingPanel:
         if problem:
             show_problem(problem)
             return False
-        panel = cls(session)
-        Gui.Control.showDialog(panel)
-        QtCore.QTimer.singleShot(0, panel._make_room)
+        opening.put_up(cls(session))
         return True
 
     def __init__(self, session):
@@ -65,10 +64,7 @@ class SolvingPanel:
             box.setWindowIcon(QtGui.QIcon(paths.icon(self.ICON)))
         self._view = Gui.getDocument(session.document.Name).ActiveView
         self._solver = BackgroundSolver(native.module().Progress, self._solved, self._progressed, self._ui)
-        self._settled = QtCore.QTimer(self._ui)
-        self._settled.setSingleShot(True)
-        self._settled.setInterval(PAUSE)
-        self._settled.timeout.connect(self._solve_settled)
+        self._settled = pause(self._ui, PAUSE, self._solve_settled)
         self._set_up()
         self._connect_show()
         self._hide_object()
@@ -207,7 +203,8 @@ class SolvingPanel:
 
     def _commit(self) -> bool:
         try:
-            self._session.commit()
+            with SOLVED.taking(*self._session.asked(), self._result):
+                self._session.commit()
         except Exception as error:  # whatever it was: the document is as before, and the panel says why
             self._show_unsolved(str(error), Status.BAD)
             return False
@@ -257,7 +254,7 @@ class SolvingPanel:
         if self._session.obj:
             self._session.obj.ViewObject.Visibility = shown
 
-    def _make_room(self) -> None:
+    def make_room(self) -> None:
         """A dock too narrow for the buttons is widened: nothing of the panel is cut off."""
         if not self._is_closed:
             task_boxes.make_room(self.form[0], max(task_boxes.NARROWEST, self._needed_width() + MARGINS))
@@ -269,12 +266,17 @@ class SolvingPanel:
 
     # --- closing ---
 
-    def _close(self) -> None:
-        """Takes away everything the panel has put up."""
-        document = self._session.document
+    def gone(self) -> None:
+        """Takes away everything the panel has put up beside itself."""
+        if self._is_closed:
+            return
         self._detach()
         self._display.remove()
         self._show_object(True)
+
+    def _close(self) -> None:
+        document = self._session.document
+        self.gone()
         Gui.Control.closeDialog()
         with contextlib.suppress(NameError):  # FreeCAD's word for a document without a window
             Gui.getDocument(document.Name).resetEdit()

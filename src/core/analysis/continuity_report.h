@@ -113,6 +113,7 @@ enum class NoteCode {
   SetbackExtended,  ///< edge, face, where, value = mm: it was extended to the face's border
   FaceConverted,    ///< face, value = mm: it is no B-spline, and what stands for it is this close
   ReferenceShort,   ///< value = share of the surface that the reference does not cover, 0 to 1
+  LookUpsStopped,  ///< value = times: the caller asked for the best there is, the guide still moved
 };
 struct Note {
   NoteCode code = NoteCode::EdgeAbsorbed;

@@ -284,6 +284,11 @@ Result<EditResult> SurfaceEdit::settled(const Guidance& guidance, Progress* prog
     if (progress) progress->setFraction((k + 1.0) / (energy::kLookUps + 1.0));
     const double moved = (latest_.poles - before).rowwise().norm().maxCoeff();
     if (moved < energy::kStill * result->report.diagonal) return result;
+    if (progress && progress->isFinishRequested()) {
+      result->report.notes.push_back(
+          {.code = analysis::NoteCode::LookUpsStopped, .value = k + 1.0});
+      return result;
+    }
   }
 }
 

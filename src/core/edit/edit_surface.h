@@ -71,7 +71,8 @@ class SurfaceEdit {
   /// stay where they were looked up before. Fails with the codes of energy::validate(), HandleOff,
   /// ReferenceOff and those of solver::GuidedProgram::solve().
   [[nodiscard]] Result<EditResult> under(const energy::Guidance& guidance, bool lookUp = true);
-  /// The same, looked up again until that stands still. Fails with Cancelled, too.
+  /// The same, looked up again until that stands still; where a finish is asked for, not again,
+  /// which a note tells. Fails with Cancelled, too.
   [[nodiscard]] Result<EditResult> settled(const energy::Guidance& guidance,
                                            Progress* progress = nullptr);
 

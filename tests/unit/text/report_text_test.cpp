@@ -205,7 +205,8 @@ TEST(Notes, AreOneSentenceEachOfTheirOwn) {
                               NoteCode::SetbackExtended,
                               NoteCode::ShapeLimit,
                               NoteCode::ShapeUndefined,
-                              NoteCode::ShapeStopped}) {
+                              NoteCode::ShapeStopped,
+                              NoteCode::LookUpsStopped}) {
     const std::string text = sentence(analysis::Note{code, 17, {1.5, -2.0, 0.0}, 3.0});
     EXPECT_THAT(text, ::testing::EndsWith("."));
     EXPECT_TRUE(all.insert(text).second) << text;

@@ -316,6 +316,27 @@ TEST(EditSurface, CanBeCancelledBetweenTwoLooks) {
   EXPECT_LT(progress.fraction(), 0.5);
 }
 
+TEST(EditSurface, GivesTheLatestLookWhereAFinishIsAskedFor) {
+  // The first look at the reference asks for it.
+  Progress progress;
+  EditOptions options;
+  options.guidance.gamma = 100.0;
+  options.guidance.reference = [&](const Vector3d& near) {
+    progress.requestFinish();
+    return energy::GuidanceSample{Vector3d::UnitZ(), {near.x(), near.y(), 3.0}, 1.0, 1.0};
+  };
+  const auto stopped = editSurface(wavy(), options, {}, &progress);
+  ASSERT_TRUE(stopped.has_value());
+  ASSERT_EQ(stopped->report.notes.size(), 1U);
+  EXPECT_EQ(stopped->report.notes[0].code, analysis::NoteCode::LookUpsStopped);
+  EXPECT_EQ(stopped->report.notes[0].value, 1.0);
+  auto one = SurfaceEdit::make(wavy(), options);
+  ASSERT_TRUE(one.has_value());
+  const auto look = one->under(options.guidance);
+  ASSERT_TRUE(look.has_value());
+  EXPECT_EQ(stopped->surface.poles, look->surface.poles);
+}
+
 TEST(EditSurface, MovesOnlyWhatLiesOnItsRegion) {
   EditOptions options = swelling(EnergyKind::ThinPlate, 500.0);
   options.spans = 6;
