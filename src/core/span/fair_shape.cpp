@@ -104,7 +104,7 @@ Effort effortOf(const FillOptions& options, const layout::PatchLayout& layout) {
   return {1e-5,
           24,
           kMostStepsToTheEnd,
-          1e-3,
+          2e-3,
           2e-6,
           true,
           isOfSecondOrder ? 0 : kMostPointsOfFit,
