@@ -28,11 +28,14 @@ foreach(pair Mod/fairing:fairing resources:resources)
 endforeach()
 
 # Without Qt's lrelease (Debian: qttools5-dev-tools) the add-on speaks English only.
-find_program(LRELEASE NAMES lrelease PATHS /usr/lib/qt5/bin /usr/lib/qt6/bin)
+# Debian's /usr/bin/lrelease asks qtchooser which Qt is meant, which may not know.
+find_program(LRELEASE NAMES lrelease PATHS /usr/lib/qt5/bin /usr/lib/qt6/bin NO_DEFAULT_PATH)
+find_program(LRELEASE NAMES lrelease)
 if(LRELEASE)
   file(GLOB texts ${SOURCE}/resources/translations/*.ts)
   foreach(text ${texts})
     cmake_path(GET text STEM name)
-    execute_process(COMMAND ${LRELEASE} -silent ${text} -qm ${ADDON}/resources/translations/${name}.qm)
+    execute_process(COMMAND ${LRELEASE} -silent ${text} -qm ${ADDON}/resources/translations/${name}.qm
+                    COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
 endif()
