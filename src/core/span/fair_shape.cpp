@@ -45,8 +45,11 @@ constexpr double kPinning = 1e5;
 // 1e-7 of the plate's energy with 1e4, 3e-6 with 1e5), less of it costs steps. Second order: with
 // less, the first row of control points slides onto the border, where a crease costs nothing.
 constexpr double kAnchorOfThirdOrder = 1e4, kAnchorOfSecondOrder = 1e6;
-// From one level to the next, which starts closer to its end, and closer still on a result's knots.
-constexpr double kReleaseWhenHalved = 0.1, kReleaseOfFit = 0.01;
+// On the next level: less where spans are halved, for it starts closer to its end; more on the
+// knots of a fit, which are dense next to the corners and would drift there (with 1 the plate's
+// energy of a hole in a wave becomes 19 times that of the start, with 10 six times; the shape is
+// the same).
+constexpr double kHoldHalved = 0.1, kHoldOnFit = 10.0;
 // The degree's own number is enough for a few steps; to the end, displacements that change no
 // residual are found and taken.
 constexpr int kMorePoints = 2;
@@ -148,7 +151,7 @@ layout::PatchLayout halved(const layout::LayoutPlan& plan, const layout::PatchLa
 struct FinerKnots {
   layout::PatchLayout layout;
   bool holdFit;  // the knots of the fit are among them
-  double release;
+  double hold;   // times the anchor before
 };
 
 // The knots of what is fitted to the shape: its steps then end in the result. A shape without
@@ -160,10 +163,10 @@ std::optional<FinerKnots> finerKnots(const layout::LayoutPlan& plan,
   layout::PatchLayout finer = halved(plan, shape.layout);
   if (shape.energy < kVanishing * shape.history.start) {
     layout::PatchLayout both = layout::withKnotsOf(plan, fitted, finer);
-    if (both.pointCount <= mostPointsOfFit) return FinerKnots{both, true, kReleaseOfFit};
+    if (both.pointCount <= mostPointsOfFit) return FinerKnots{both, true, kHoldHalved};
   }
-  if (fitted.pointCount <= mostPointsOfFit) return FinerKnots{fitted, true, kReleaseOfFit};
-  if (finer.pointCount <= kMostPointsHalved) return FinerKnots{finer, false, kReleaseWhenHalved};
+  if (fitted.pointCount <= mostPointsOfFit) return FinerKnots{fitted, true, kHoldOnFit};
+  if (finer.pointCount <= kMostPointsHalved) return FinerKnots{finer, false, kHoldHalved};
   return std::nullopt;
 }
 
@@ -291,7 +294,7 @@ Result<bool> fairFurther(const layout::LayoutPlan& plan,
     shape.history.end = solver::ShapeEnd::Stopped;
     return false;
   }
-  effort.hold.anchor *= finer->release;
+  effort.hold.anchor *= finer->hold;
   Aim aim;
   aim.shape = pointsOn(finer->layout, finer->holdFit ? fit : shape.patches);
   Improvement improvement(plan, options, *energy, diagonal, progress);
