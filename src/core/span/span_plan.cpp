@@ -22,10 +22,6 @@ constexpr double kFitShare = 0.3;
 // solver's.
 constexpr double kFollowAim = 0.65;
 
-// Of the limits: what patches may take up that are the least of the energy on their knots. More
-// knots would be fitted again, and cost energy.
-constexpr double kKeepAim = 0.85;
-
 // Where the first patch on a closed edge starts: what is measured must not depend on the start of
 // the edge.
 std::vector<double> startsOf(const layout::LayoutPlan& plan, const boundary::BoundaryLoop& loop) {
@@ -62,7 +58,6 @@ Result<Fitted> fitTo(const Span& span,
                      layout::PatchLayout layout,
                      const std::optional<FairShape>& shape,
                      const FillOptions& options,
-                     double aim,
                      Progress* progress) {
   if (shape) layout = layout::withKnotsOf(span.plan, layout, shape->layout);
   std::optional<Fitted> best;
@@ -70,15 +65,16 @@ Result<Fitted> fitTo(const Span& span,
   for (int round = 0; round <= options.maxRefinements; ++round) {
     if (progress && progress->isAbortRequested()) return fail({ErrorCode::Cancelled});
     if (best && layout.pointCount > options.maxPoles) break;
-    Aim to;
-    if (shape) to.shape = pointsOn(layout, shape->patches);
-    if (latest) to.near = pointsOn(layout, *latest);
-    auto tried = fillOn(span, layout, std::move(to), options, progress);
+    Aim aim;
+    if (shape) aim.shape = pointsOn(layout, shape->patches);
+    if (latest) aim.near = pointsOn(layout, *latest);
+    auto tried = fillOn(span, layout, std::move(aim), options, progress);
     if (!tried) return fail(tried.error());
     tried->summary.solves = round + 1;
     if (options.guidance.isDrawn()) latest = tried->patches;
-    auto wishes = wishedKnots(span.plan, layout, tried->report, aim);
-    wishForInner(layout, tried->patches, options.through, aim * tried->report.gapLimit, wishes);
+    auto wishes = wishedKnots(span.plan, layout, tried->report, kRefineAim);
+    wishForInner(
+        layout, tried->patches, options.through, kRefineAim * tried->report.gapLimit, wishes);
     if (!best || excess(tried->report) < excess(best->result.report))
       best = Fitted{std::move(*tried), layout};
     else
@@ -108,8 +104,7 @@ Result<double> goFurther(const Span& span,
     shape = std::move(finer);  // may have been stopped
     return seconds;
   }
-  const bool isFit = finer->layout.pointCount == best.layout.pointCount;
-  auto fitted = fitTo(span, layout, finer, options, isFit ? kKeepAim : kRefineAim, progress);
+  auto fitted = fitTo(span, layout, finer, options, progress);
   if (!fitted) return fail(fitted.error());
   if (best.result.report.withinTolerance && !fitted->result.report.withinTolerance) return seconds;
   best = std::move(*fitted);
@@ -151,7 +146,7 @@ Result<FillResult> spanPlan(const Span& span, const FillOptions& options, Progre
   auto shape = fairShape(span.plan, layout, options, diagonal, progress);
   if (!shape) return fail(shape.error());
   double shapeTime = watch.lap();
-  auto best = fitTo(span, layout, *shape, options, kRefineAim, progress);
+  auto best = fitTo(span, layout, *shape, options, progress);
   if (!best) return fail(best.error());
   if (*shape) {
     const auto went = goFurther(span, layout, options, progress, *shape, *best);
