@@ -18,6 +18,7 @@ sys.path.insert(0, os.path.join(ROOT, "tests", "freecad"))
 import gui  # noqa: E402
 
 import fairing  # noqa: E402
+from fairing.choices import ENERGIES  # noqa: E402
 
 SIZE = 900, 600  # pixels
 GREY = (0.84, 0.86, 0.89)
@@ -56,6 +57,10 @@ def l_shape() -> Part.Wire:
 
 def pentagon() -> Part.Wire:
     return polygon(*((30 * math.cos(a), 30 * math.sin(a)) for a in (0.3 + k * 0.4 * math.pi for k in range(5))))
+
+
+def quadrangle() -> Part.Wire:
+    return polygon((-40, -28), (38, -32), (42, 26), (-36, 30))
 
 
 def circle() -> Part.Wire:
@@ -238,10 +243,10 @@ def light_background():
         view.SetUnsigned(name, color)
 
 
-def fill_panel_on_sheet(name: str, **options):
-    """The panel of Fill Hole on a pentagon in the wavy sheet."""
+def fill_panel_on_sheet(name: str, outline: Part.Wire, **options):
+    """The panel of Fill Hole on a hole in the wavy sheet."""
     document = App.newDocument(name)
-    shape, edges = with_hole(pentagon())
+    shape, edges = with_hole(outline)
     base = document.addObject("Part::Feature", "Sheet")
     base.Shape = shape
     base.ViewObject.ShapeColor, base.ViewObject.Deviation = (0.62, 0.69, 0.77), 0.02
@@ -256,7 +261,7 @@ def fill_panel_on_sheet(name: str, **options):
 
 def curvature_zebra():
     """Stripes across a new surface and what it meets."""
-    document = fill_panel_on_sheet("zebra", continuity="G2")
+    document = fill_panel_on_sheet("zebra", pentagon(), continuity="G2")
     gui.widget("labelsCheck").setChecked(False)
     gui.widget("pictureCombo").setCurrentIndex(6)
     gui.pump(1.0)  # the limits fold away slowly
@@ -267,7 +272,7 @@ def curvature_zebra():
 
 def compare_energies():
     """All energies in a table, one of them in the view in colours."""
-    document = fill_panel_on_sheet("energies")
+    document = fill_panel_on_sheet("energies", pentagon())
     gui.widget("labelsCheck").setChecked(False)
     gui.widget("pictureCombo").setCurrentIndex(1)
     gui.widget("compareButton").click()
@@ -276,6 +281,28 @@ def compare_energies():
     gui.widget("compareTable").selectRow(4)
     gui.pump(1.0)
     gui.picture("compare_energies")
+    gui.press("Cancel")
+    App.closeDocument(document.Name)
+
+
+def energy_pictures():
+    """The mean curvature of one hole's fill with each energy, in the same colours: blue to red is -1/72 to 1/72 mm."""
+    document = fill_panel_on_sheet("energy", quadrangle())
+    height = Gui.ActiveDocument.ActiveView.getCameraNode().height
+    height.setValue(0.75 * height.getValue())
+    gui.widget("labelsCheck").setChecked(False)
+    gui.widget("pictureCombo").setCurrentIndex(1)
+    for name, value in (("pictureLow", -1 / 72), ("pictureHigh", 1 / 72)):
+        gui.widget(name).setText(str(value))
+        gui.widget(name).textEdited.emit(str(value))
+    for position, energy in enumerate(ENERGIES):
+        if energy == "mean-curvature-gradient-minimum":  # looks the same as with a few steps
+            continue
+        gui.widget("energyCombo").setCurrentIndex(position)
+        gui.wait_for_verdict()
+        gui.pump(0.3)
+        path = os.path.join(OUTPUT, f"energy_{energy.replace('-', '_')}.png")
+        Gui.ActiveDocument.ActiveView.saveImage(path, 600, 400, "Current")
     gui.press("Cancel")
     App.closeDocument(document.Name)
 
@@ -331,6 +358,7 @@ def main():
     edit_panel()
     curvature_zebra()
     compare_energies()
+    energy_pictures()
     fill_picture("trimmed_fill", *with_hole(l_shape()), turn=-25, tilt=48, layout="trimmed")
 
 
