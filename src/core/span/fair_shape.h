@@ -31,9 +31,9 @@ struct FairShape {
 
 /// Goes on to the minimum on finer knots: those of the patches fitted to the shape, `fit` on
 /// `fitted`, where these are few - a fit adds energy next to the sides, and these steps take it
-/// away - else every span of the shape halved. False, and nothing done, where that would be too
-/// many, where the energy takes a few steps only, and where the shape has been stopped or has none.
-/// Fails as fairShape() does.
+/// away - else every span of the shape halved. False where no step was tried: that would be too
+/// many, the energy takes a few steps only, it is undefined, or the best so far was asked for,
+/// which the history then tells. Fails as fairShape() does.
 [[nodiscard]] Result<bool> fairFurther(const layout::LayoutPlan& plan,
                                        const layout::PatchLayout& fitted,
                                        const Patches& fit,

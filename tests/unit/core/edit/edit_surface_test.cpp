@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <functional>
 
 #include "support/matchers.h"
 #include "support/quadratic_forms.h"
@@ -302,15 +303,21 @@ TEST(EditSurface, AReferenceThatCoversAPartGuidesThere) {
   EXPECT_THAT(editSurface(wavy(), options), FailsWith(ErrorCode::ReferenceOff));
 }
 
+// Guided to a level plane; every look at it does something.
+EditOptions guidedTo(const std::function<void()>& whenLooked) {
+  EditOptions options;
+  options.guidance.gamma = 100.0;
+  options.guidance.reference = [whenLooked](const Vector3d& near) {
+    whenLooked();
+    return energy::GuidanceSample{Vector3d::UnitZ(), {near.x(), near.y(), 3.0}, 1.0, 1.0};
+  };
+  return options;
+}
+
 TEST(EditSurface, CanBeCancelledBetweenTwoLooks) {
   // The first look at the reference asks for the abort.
   Progress progress;
-  EditOptions options;
-  options.guidance.gamma = 100.0;
-  options.guidance.reference = [&](const Vector3d& near) {
-    progress.requestAbort();
-    return energy::GuidanceSample{Vector3d::UnitZ(), {near.x(), near.y(), 3.0}, 1.0, 1.0};
-  };
+  const EditOptions options = guidedTo([&] { progress.requestAbort(); });
   EXPECT_THAT(editSurface(wavy(), options, {}, &progress), FailsWith(ErrorCode::Cancelled));
   EXPECT_GT(progress.fraction(), 0.0);
   EXPECT_LT(progress.fraction(), 0.5);
@@ -319,12 +326,7 @@ TEST(EditSurface, CanBeCancelledBetweenTwoLooks) {
 TEST(EditSurface, GivesTheLatestLookWhereAFinishIsAskedFor) {
   // The first look at the reference asks for it.
   Progress progress;
-  EditOptions options;
-  options.guidance.gamma = 100.0;
-  options.guidance.reference = [&](const Vector3d& near) {
-    progress.requestFinish();
-    return energy::GuidanceSample{Vector3d::UnitZ(), {near.x(), near.y(), 3.0}, 1.0, 1.0};
-  };
+  const EditOptions options = guidedTo([&] { progress.requestFinish(); });
   const auto stopped = editSurface(wavy(), options, {}, &progress);
   ASSERT_TRUE(stopped.has_value());
   ASSERT_EQ(stopped->report.notes.size(), 1U);
